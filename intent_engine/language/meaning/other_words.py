@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 from functools import partial
+from itertools import islice
 
 from intent_engine.actions import Action
 from intent_engine.language.grammar import FREE_KINDS
@@ -11,6 +12,7 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
 from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
+from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pointing import Pointing
@@ -27,8 +29,12 @@ __all__ = ["OtherWords"]
 
 _MOST_WORDS = 20
 """Words of an utterance that is put otherwise,"""
-_MOST_WAYS = 32
-"""and ways that are tried: a long sentence of somebody else has no end of them."""
+_MOST_WAYS = 24
+"""ways that are tried, since a long sentence of somebody else has no end of them,"""
+_MOST_PLACED = 16
+"""of these with something in another place,"""
+_MOST_PARTED = 4
+"""and with a particle there."""
 
 
 class OtherWords:
@@ -44,12 +50,14 @@ class OtherWords:
         own = vocabulary(grammar)
         self._commands = commands
         self._phrases = phrases
+        self._language = grammar.language
         self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
             LedAmounts(grammar, own).ways,
             Sides(grammar, own).ways,
         )
+        self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)
         self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
@@ -66,9 +74,10 @@ class OtherWords:
         """
         if len(said) > _MOST_WORDS:
             return None
-        verbs = self._commands.verbs
-        switched = None if asks else self._one_of(self._verbless.ways(said, verbs), said, state)
-        return switched or part_by_part(said, self._phrases, lambda part: self._otherwise(part, state, asks=asks))
+        switched = None if asks else self._one_of(self._verbless.ways(said, self._commands.verbs), said, state)
+        return switched or part_by_part(
+            said, self._phrases, self._language, lambda part: self._otherwise(part, state, asks=asks)
+        )
 
     def _otherwise(self, part: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
         verbs = self._commands.verbs
@@ -78,18 +87,22 @@ class OtherWords:
             return self._one_of(self._wished.ways(part, verbs), part, state)
         if part.words[0] in verbs:
             return self._one_of(self._ways([Rewording(part)])[1:], part, state)
-        ordered = list(self._verb_last.ways(part, verbs)) or list(self._wished.ways(part, verbs))
+        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or list(self._wished.ways(part, verbs))
         return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""
         found: dict[Action, Utterance] = {}
+        ways = [*ways]
         for way in ways:
             clause = self._commands.exact(way.said.words, state, breaks=way.said.breaks)
             if clause is None or clause.action is None or not clause.accepted or clause.reading is None:
                 continue
             if way.is_meant(clause.reading) and _keeps_free_words(part, clause.reading):
                 found.setdefault(clause.action, way.said)
+        if not found:
+            told = (self._particles.placed(way.said, state) for way in ways[:_MOST_PARTED])
+            return next(filter(None, told), None)  # "turn that lamp on" of a grammar that has "turn on the lamp"
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _ways(self, found: list[Rewording]) -> list[Rewording]:
@@ -97,10 +110,14 @@ class OtherWords:
         ways = [*found]
         for kind in self._kinds:
             for before in tuple(ways):
-                ways += [before.then(way) for way in kind(before.said)][: _MOST_WAYS - len(ways)]
-        for before in ways[len(found) :]:
-            ways += [before.then(way) for way in self._placed(before.said)][: _MOST_WAYS - len(ways)]
-        return ways
+                ways += [before.then(way) for way in islice(kind(before.said), max(0, _MOST_WAYS - len(ways)))]
+        placed: list[Rewording] = []
+        for before in sorted(ways[len(found) :], key=lambda way: len(way.said)):  # the plainest first
+            placed += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(placed))]
+        return [*ways, *placed]
+
+    def _begins(self, words: list[str]) -> bool:
+        return self._commands.matcher.prefix(words)[1] is not None
 
     def _placed(self, part: Utterance) -> Iterator[Rewording]:
         rule = self._placed_first

@@ -57,6 +57,10 @@ def own_words(grammar: Grammar) -> frozenset[str]:
     return frozenset(_literal(nodes))
 
 
+_WITH_A_DATIVE = ("er", "el")
+"""How German names end that have an "n" behind "mit", "zu" and the like where there are several of it."""
+
+
 def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
     """Words that sound like some that a grammar is written in, or are its signs in words: each with those."""
     own = own_words(grammar)
@@ -66,6 +70,9 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
         for other in spelled_otherwise(word):
             if other not in own and word not in found.get(other, ()):
                 found[other] = (*found.get(other, ()), word)
+    for word in sorted(own) if grammar.language == "de" else ():
+        if word.endswith(_WITH_A_DATIVE) and word + "n" not in own:  # "mit zwei Newtonmetern"
+            found[word + "n"] = (*found.get(word + "n", ()), word)
     letters = _letters(grammar) if grammar.language == "en" else frozenset()
     for word, letter in LETTERS_BY_SOUND.items() if letters else ():
         if letter in letters:

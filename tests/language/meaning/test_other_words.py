@@ -34,6 +34,11 @@ intents:
   explain: {action: custom, sentences: ["explain the {part} [in {tongue}]"]}
   add: {action: custom, sentences: ["add {liters} milliliters of {drink}"]}
   put: {action: custom, sentences: ["put the {part} on the {part:where}"]}
+  pause: {action: custom, sentences: ["pause printer {count}"]}
+  load: {action: custom, sentences: ["load {drink} in printer {count}"]}
+  lower: {action: custom, sentences: ["lower the {part} by {how_far}"]}
+  hooks: {action: custom, sentences: ["check the hooks"]}
+  siren: {action: custom, sentences: ["turn on the siren"]}
   drinks: {action: custom, sentences: ["(make|mix) [me] [a|an|{count}] {drink}"]}
   fetch: {action: custom, sentences: ["get me the {what}"]}
   start: {action: custom, sentences: ["start the {part} [at {pace}] [for {time}]"]}
@@ -50,6 +55,11 @@ GRAMMAR = CRANE.replace(
         ("check that boom", "check the boom"),
         ("check your hook", "check the hook"),
         ("raise my boom to two meters", "raise the boom to two meters"),
+        ("check all the hooks", "check the hooks"),
+        ("check all of those hooks", "check the hooks"),
+        ("pause the printer eight", "pause printer eight"),
+        ("switch that lamp on", "switch the lamp on"),
+        ("turn that siren on", "turn on the siren"),
         # Which way.
         ("slew to the left", "slew left"),
         ("slew towards the right by ten degrees", "slew right ten degrees"),
@@ -65,6 +75,15 @@ GRAMMAR = CRANE.replace(
         ("add 10 ml of tea", "add ten milliliters of tea"),
         ("put the hook back on the boom", "put the hook on the boom"),
         ("set the flow to two liters a minute", "set the flow to two liters per minute"),
+        ("lower the hook two meters", "lower the hook by two meters"),
+        ("lower the hook by about two meters", "lower the hook by two meters"),
+        ("hoist the hook about a meter", "hoist the hook a meter"),
+        ("hoist that hook one and a half meters", "hoist the hook one and a half meters"),
+        ("hoist the hook two meters high", "hoist the hook two meters"),
+        ("raise the hook up to two meters", "raise the hook to two meters"),
+        ("set the flow at two liters per minute", "set the flow to two liters per minute"),
+        ("load tea into printer five", "load tea in printer five"),
+        ("in printer five load tea", "load tea in printer five"),
         # What belongs to a verb and says no more.
         ("fill up the tank to ten percent", "fill the tank to ten percent"),
         ("fill the tank up to ten percent", "fill the tank to ten percent"),
@@ -81,6 +100,10 @@ GRAMMAR = CRANE.replace(
         ("I'll have two coffees", "make two coffees"),
         ("we would like a tea, please", "make me a tea"),
         ("can I have a tea and a coffee", "mix a tea and a coffee"),
+        # What was begun and left.
+        ("the boom, uh, check the boom", "check the boom"),
+        ("printer eight... pause printer eight", "pause printer eight"),
+        ("quick, check the boom", "check the boom"),
         # Several.
         ("check that boom and slew to the left", "check the boom and slew left"),
         ("check your boom, then raise up your hook to two meters", "check the boom, then raise the hook to two meters"),
@@ -110,6 +133,12 @@ def test_it_is_the_same(engine_of, said: str, meant: str) -> None:
         "lamp on?",
         "lamp on the pump",
         "come on",
+        "raise the hook down to two meters",
+        "drive two meters per second deep",
+        "the hook, uh, check the boom",
+        "the boom, check the boom or the hook",
+        "check all",
+        "set the flow to two liters a tea",
         "put the hook back on",
         "put the hook over on the boom",
         "add ten milliliters word",
@@ -143,6 +172,8 @@ intents:
   öffnen: {action: custom, sentences: ["öffne (das|die) {teil}"]}
   drehen: {action: custom, sentences: ["dreh dich nach links [{winkel}]"]}
   fahren: {action: custom, sentences: ["fahr [{weite}] vorwärts [mit {tempo}]"]}
+  teil: {action: custom, sentences: ["dreh die {teil} {winkel} nach links"]}
+  füllen: {action: custom, sentences: ["füll zwei Liter mit Newtonmeter"]}
   an: {action: custom, sentences: ["schalte (das|die) {teil} ein", "mach (das|die) {teil} an"]}
 """, [
         ("öffne dieses Ventil", "öffne das Ventil"),
@@ -151,6 +182,8 @@ intents:
         ("dreh dich um neunzig Grad nach links", "dreh dich nach links neunzig Grad"),
         ("fahr nach vorn", "fahr vorwärts"),
         ("fahr vorwärts mit einer Geschwindigkeit von 1 m/s", "fahr vorwärts mit 1 m/s"),
+        ("die Pumpe um neunzig Grad nach links drehen", "dreh die Pumpe neunzig Grad nach links"),
+        ("füll zwei Liter mit Newtonmetern", "füll zwei Liter mit Newtonmeter"),
         ("Licht an", "mach das Licht an"),
         ("die Pumpe ein", "schalte die Pumpe ein"),
     ]),
@@ -166,6 +199,7 @@ intents:
         ("tourne vers la gauche", "tourne à gauche"),
         ("tourne à gauche de trente degrés", "tourne à gauche trente degrés"),
         ("avance de deux mètres", "avance deux mètres"),
+        ("ouvre donc la vanne", "ouvre la vanne"),
         ("avance à une vitesse de deux mètres par seconde", "avance à deux mètres par seconde"),
     ]),
     "es": ("""

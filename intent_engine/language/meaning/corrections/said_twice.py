@@ -15,7 +15,9 @@ from intent_engine.language.words.thing_words import thing_words
 __all__ = ["SaidTwice", "said_once"]
 
 MOST = 3
-"""Words that are begun again at once."""
+"""Words that are begun again at once,"""
+MOST_BEGUN = 5
+"""and those that are left before a whole command."""
 
 
 class SaidTwice:
@@ -32,6 +34,19 @@ class SaidTwice:
         """An utterance with what was said twice in it said once; None: there is nothing, or hardly anything is left."""
         once = said_once(core, lambda start, end: self._may_be(core.words, start, end))
         return once if once is not None and len(once) >= LEAST_WORDS else None
+
+    def begun_anew(self, core: Utterance) -> Utterance | None:
+        """The command behind words that were begun without its verb and left, where all of them are said again in it:
+        "the boxes, uh, take the boxes to the hall". None: there are none."""
+        verbs = self._commands.verbs
+        for place in range(1, min(len(core), MOST_BEGUN + 1)):
+            left, rest = core.words[:place], core.part(place, len(core))
+            if not verbs.isdisjoint(left) or self._phrases.operate_in(left):
+                return None
+            if core.breaks[place] is not False and rest.words[0] in verbs:
+                again = any(rest.words[at : at + place] == left for at in range(1, len(rest)))
+                return rest if again else None
+        return None
 
     def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
         """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands

@@ -5,23 +5,28 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.numbers.units import units
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["part_by_part"]
 
 
-def part_by_part(said: Utterance, phrases: Phrases, told: Callable[[Utterance], Utterance | None]) -> Utterance | None:
+def part_by_part(
+    said: Utterance, phrases: Phrases, language: str, told: Callable[[Utterance], Utterance | None]
+) -> Utterance | None:
     """An utterance with each of its commands as it is told otherwise; None: none of them is.
 
     Args:
         said: the words, without those that say nothing.
         phrases: of the grammar.
+        language: of the words.
         told: one command otherwise; None: as it is.
     """
     words: list[str] = []
     breaks: list[bool | None] = []
     changed = False
-    for start, end, joins in _parts(said, phrases):
+    for start, end, joins in _parts(said, phrases, language):
         part = said.part(start, end)
         other = None if joins else told(part)
         changed |= other is not None
@@ -30,7 +35,7 @@ def part_by_part(said: Utterance, phrases: Phrases, told: Callable[[Utterance], 
     return Utterance(words, breaks) if changed else None
 
 
-def _parts(said: Utterance, phrases: Phrases) -> Iterator[tuple[int, int, bool]]:
+def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
     start = 0
     while start < len(said):
@@ -39,7 +44,21 @@ def _parts(said: Utterance, phrases: Phrases) -> Iterator[tuple[int, int, bool]]
             yield start, start + joint, True
             start += joint
             continue
-        later = range(start + 1, len(said))
+        later = (at for at in range(start + 1, len(said)) if not _in_a_number(said, at, language))
         end = next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
         yield start, end, False
         start = end
+
+
+def _in_a_number(said: Utterance, at: int, language: str) -> bool:
+    """Whether a word stands within a number: "one *and* a half", "a meter *and* a half"."""
+    table = units(language)
+    if table is None or said.words[at] not in table.words["and"] or any(said.breaks[at : at + 2]):
+        return False
+    before, after = said.words[at - 1], said.words[at + 1 : at + 3]
+    part = table.words.get("half", frozenset()) | table.words.get("quarter", frozenset())
+    counted = is_number(before, language) or (before,) in table.names
+    return counted and (
+        bool(part.intersection(after))
+        or (is_number(before, language) and any(is_number(word, language) for word in after[:1]))
+    )

@@ -27,11 +27,15 @@ class Pointing:
         self._wholes = PhraseSet(grammar.wording.wholes)
         known = thing_words(grammar.language)
         self._all = known.articles | self._pointing
+        self._definite = known.definite
         articles = known.definite or known.articles - self._pointing
         self._articles = [Utterance.in_one_breath([word]) for word in sorted(articles.intersection(own))]
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """With one article in the place of each."""
+        for at in range(1, len(core) - 1):  # "pause the printer eight" of a grammar that has "pause printer {n}"
+            if core.words[at] in self._definite and not any(core.breaks[at : at + 2]):
+                yield Rewording(core.with_other(at, at + 1, Utterance([], [])), self._points_to_nothing_free)
         found = list(self._found(core))
         for article in (*self._articles, Utterance([], [])) if found else ():
             said = core

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Set
+from collections.abc import Callable, Collection, Iterator, Set
 from functools import partial
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -32,14 +33,21 @@ class VerbLast:
         self._words = own
         self._articles = [Utterance.in_one_breath([word]) for word in sorted(self._known.definite & own)]
 
-    def ways(self, part: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
-        """One order with its verb first, which commands begin with, and with an article where it has none."""
+    def ways(self, part: Utterance, verbs: Collection[str], begins: Callable[[list[str]], bool]) -> Iterator[Rewording]:
+        """One order with its verb first, and with an article where it has none.
+
+        Args:
+            part: the words of the order.
+            verbs: with which commands begin.
+            begins: whether a command begins with some words.
+        """
         if not part.words[-1].endswith("n"):
             return
         named = [] if part.words[0] in self._known.articles else self._articles
         for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
             for order in last_verb_first(said, self._grammar):
-                if order.words[0] in verbs:
+                itself = order.words[1] in self._grammar.wording.before_verbs and order.words[1] not in said.words[:1]
+                if order.words[0] in verbs and (not itself or begins(order.words[:2])):
                     yield Rewording(order, partial(self._tells_by_itself, part))
 
     def _tells_by_itself(self, part: Utterance, order: Reading) -> bool:
@@ -60,7 +68,8 @@ class VerbLast:
         parted = order.words[-1] in wording.parted and last.startswith(order.words[-1])
         if parted or not several:
             return first not in known.articles or first in known.done_to
-        return bool(between) and not self._is_of_several(between[-1])
+        beside = any(word in known.joining or is_number(word, self._grammar.language) for word in between[1:])
+        return bool(between) and (beside or not self._is_of_several(between[-1]))
 
     def _is_of_several(self, noun: str) -> bool:
         return noun.endswith(_PLURALS) or (noun.endswith("e") and noun[:-1] in self._words)
