@@ -117,6 +117,11 @@ class ThingWords:
         """Whether a word says how something is done: it is one that does, or ends so and has two letters before."""
         return word in self.manners or (len(word) > 2 and self._manner.search(word, 2) is not None)
 
+    @property
+    def definite_of_things(self) -> frozenset[str]:
+        """Articles that tell nothing of what something is done to, and not where it is: "das", and no "dem"."""
+        return self.definite & self.done_to if self.done_to else self.definite
+
     @cached_property
     def _manner(self) -> re.Pattern[str]:
         endings = "|".join(sorted(self.manner))

@@ -27,8 +27,8 @@ class Pointing:
         self._wholes = PhraseSet(grammar.wording.wholes)
         known = thing_words(grammar.language)
         self._all = known.articles | self._pointing
-        self._definite = known.definite
-        articles = known.definite or known.articles - self._pointing
+        self._definite = known.definite_of_things
+        articles = self._definite or known.articles - self._pointing
         self._articles = [Utterance.in_one_breath([word]) for word in sorted(articles.intersection(own))]
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:

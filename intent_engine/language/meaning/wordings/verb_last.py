@@ -31,7 +31,7 @@ class VerbLast:
         self._grammar = grammar
         self._known = thing_words(grammar.language)
         self._words = own
-        self._articles = [Utterance.in_one_breath([word]) for word in sorted(self._known.definite & own)]
+        self._articles = [Utterance.in_one_breath([word]) for word in sorted(self._known.definite_of_things & own)]
 
     def ways(self, part: Utterance, verbs: Collection[str], begins: Callable[[list[str]], bool]) -> Iterator[Rewording]:
         """One order with its verb first, and with an article where it has none.
@@ -59,6 +59,8 @@ class VerbLast:
         """
         known, wording = self._known, self._grammar.wording
         first, *between, last = part.words
+        if first in known.articles and not between:
+            return False  # "die Vorfahren"
         if first in known.pronouns or first in wording.before_verbs:
             return False
         several = first in known.of_several
@@ -69,7 +71,7 @@ class VerbLast:
         if parted or not several:
             return first not in known.articles or first in known.done_to
         beside = any(word in known.joining or is_number(word, self._grammar.language) for word in between[1:])
-        return bool(between) and (beside or not self._is_of_several(between[-1]))
+        return beside or not self._is_of_several(between[-1])
 
     def _is_of_several(self, noun: str) -> bool:
         return noun.endswith(_PLURALS) or (noun.endswith("e") and noun[:-1] in self._words)

@@ -28,7 +28,7 @@ class Verbless:
     def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
         self._switched = grammar.wording.switched
         self._parts = bool(grammar.wording.parted)
-        self._articles = sorted(thing_words(grammar.language).definite.intersection(own))
+        self._articles = sorted(thing_words(grammar.language).definite_of_things.intersection(own))
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
         """With each of the verbs that commands begin with."""
