@@ -313,6 +313,8 @@ class Conductor:
         self._progress.end(goal, ending, now, run)
         if ending.state not in (GoalState.ABORTED, GoalState.CANCELED):
             return
+        if ending.reason is Reason.WATCHDOG:
+            self._queue.clear(ending.reason, now)  # a robot that wakes begins nothing either
         reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
         self._queue.end_after(goal, reason, now)
 

@@ -29,7 +29,7 @@ from typing import Any
 from intent_engine.errors import RobotError
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Ended, Motion, Rates, Travel
+from intent_engine.execution.motion import Ended, Motion, Rates, Travel, time_for
 from intent_engine.execution.velocity_program import VelocityProgram
 
 __all__ = ["Guardian", "VelocityLoopError", "WatchdogError"]
@@ -107,6 +107,8 @@ class Guardian:
         """Why the motion ended early."""
         self._ended: Ended | None = None
         self._written = (0.0, 0.0)
+        self._turning = False
+        """Whether the motion is one, and not a drive."""
         self._travel, self._travel_at = Travel(), 0.0
         self._answers: dict[int, Travel] = {}
         self._heard_at = time.monotonic()
@@ -142,14 +144,12 @@ class Guardian:
 
     def start(self, motion: Motion, now: float) -> float:
         self._check()
-        number = self._begin()
+        # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
+        takes = time_for(motion, self._limits, *self.written)
+        number = self._begin(motion.turning)
         self._order(do="start", id=number, motion=motion.to_json())
         self._beat_at = now + self._beat
-        # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
-        ramps = abs(motion.speed) / (
-            self._limits.angular_acceleration if motion.turning else self._limits.linear_acceleration
-        )
-        return now + motion.duration + 4.0 * ramps
+        return now + takes
 
     def brake(self, now: float) -> Travel:
         self._check()
@@ -171,7 +171,7 @@ class Guardian:
         if not self._moving:
             return Travel()
         ahead = min(max(time.monotonic() - self._travel_at, 0.0), self._rates.valid_for)
-        speed = self._written[0] or self._written[1]
+        speed = self._written[self._turning]
         there = self._travel
         return Travel(
             there.amount + speed * ahead, there.elapsed + ahead, max(there.time_left - ahead, 0.0), there.braking
@@ -274,8 +274,9 @@ class Guardian:
         self._process.wait()
         self._line.close()
 
-    def _begin(self) -> int:
+    def _begin(self, turning: bool) -> int:
         with self._heard:
+            self._turning = turning
             self._numbers += 1
             self._current = self._numbers
             self._ended, self._problem = None, ""

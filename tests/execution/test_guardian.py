@@ -422,6 +422,17 @@ def test_a_sink_that_cannot_be_made_is_told(capfd):
     assert "NoSuchRobot" in capfd.readouterr().err
 
 
+def test_a_slow_brake_is_waited_for(wire):
+    limits = Limits(linear_acceleration=5.0, linear_deceleration=0.1)
+    guardian = Guardian(SINK, {"out": wire.write}, limits=limits, pass_fds=(wire.write,))
+    try:
+        now = time.monotonic()
+        assert guardian.start(Motion(False, 1.0, 1.0, 1.0), now) - now == pytest.approx(4.6, abs=0.1)
+        guardian.halt(now)
+    finally:
+        guardian.close()
+
+
 def test_a_guardian_cannot_follow_a_virtual_clock(wire):
     guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
     with pytest.raises(ValueError, match="virtual clock"):
