@@ -57,7 +57,8 @@ class Executor:
         expire_after: s; words that ended longer ago are not acted on. A stop never expires.
         hold_limit: s; a hold that nobody released becomes a stop.
         queue_limit: how many goals may wait.
-        handle_sigterm: stop the robot when the process is asked to end (where SIGTERM has no other handler yet).
+        handle_sigterm: stop the robot when the process is asked to end, or its terminal is closed (where SIGTERM or
+            SIGHUP have no other handler yet).
 
     Raises:
         TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.

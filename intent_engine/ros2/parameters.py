@@ -233,9 +233,11 @@ def _limits(node: Any, declared: Parameters, robot: RobotFile) -> Limits:
         told = declared.number(name, usual, f"{unit}; faster is driven at this")
         if told > of_file:
             node.get_logger().warning(f"parameter {name}: the robot file allows no more than {of_file:g} {unit}")
-        over = limits.over_each if math.isfinite(of_file) else {**limits.over_each, limit: OverLimit.CLAMP}
+        changes: dict[str, Any] = {limit: min(told, of_file)}
+        if math.isinf(of_file):
+            changes["over_each"] = {**limits.over_each, limit: OverLimit.CLAMP}
         try:
-            limits = replace(limits, **{limit: min(told, of_file)}, over_each=over)
+            limits = replace(limits, **changes)
         except ValueError as error:  # in degrees
             declared.problems.append(Problem(f"parameter {name}: {error}", hint=f"ros2 run ... -p {name}:=..."))
     return limits

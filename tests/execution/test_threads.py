@@ -257,8 +257,9 @@ time.sleep(0.12)
         ("raise SystemExit(3)", 3),
         ("raise KeyError('x')", 1),
         ("os.kill(os.getpid(), 15); time.sleep(60)", -15),
+        ("os.kill(os.getpid(), 1); time.sleep(60)", -1),
     ],
-    ids=["end", "exit", "error", "SIGTERM"],
+    ids=["end", "exit", "error", "SIGTERM", "SIGHUP"],
 )
 def test_every_way_out_of_the_process_writes_zeros_and_is_silent(end, code):
     done = subprocess.run([sys.executable, "-c", PROGRAM.format(end=end)], capture_output=True, text=True, timeout=60)

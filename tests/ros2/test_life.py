@@ -31,7 +31,7 @@ def stays_still(peer) -> bool:
     return peer.come_to_rest()
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_clean_end_leaves_zero_and_no_process(peer, number):
     from ros_stage import alive, until
 
