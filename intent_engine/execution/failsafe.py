@@ -7,6 +7,7 @@ import logging
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
+from intent_engine.execution.given import check_pose
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.motion import Travel
 from intent_engine.execution.raised import pass_on_interrupt, told
@@ -119,12 +120,16 @@ class Failsafe:
         return None
 
     def pose(self) -> Pose | None:
-        """Where the robot believes it is; None if it cannot tell. That it raised is said once for each goal."""
+        """Where the robot believes it is; None if it cannot tell. That it raised, or told what is no pose of finite
+        numbers, is said once for each goal."""
         try:
-            return self._robot.pose()
+            pose = self._robot.pose()
+            if pose is not None:
+                check_pose("pose() of a robot", pose)  # a localisation that has diverged says NaN, and JSON cannot
+            return pose
         except BaseException as error:
             if not self._lost:
-                log.exception("the robot raised in pose(); this is said once until the next command")
+                log.exception("the robot cannot tell its pose; this is said once until the next command")
             self._lost = True
             pass_on_interrupt(error)
             return None
