@@ -208,8 +208,7 @@ class Executor:
         """
         with self._books.held() as now:
             if not (self._conductor.closed or self._conductor.held):
-                self._failsafe.stop_robot()
-                self._conductor.hold(now)
+                self._conductor.hold(now, self._failsafe.stop_robot())
                 self._events.tell(EventKind.HOLD)
                 self._books.wake.notify_all()
         self._events.flush()

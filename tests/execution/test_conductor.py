@@ -75,6 +75,16 @@ def test_a_task_that_fails_is_cancelled_by_name_where_the_robot_cannot_stop(stag
     del s.robot.stop
 
 
+def test_a_held_task_is_cancelled_by_name_where_the_robot_cannot_stop(stage):
+    """Else it would go on through the hold, and nobody would know it any more when that becomes a stop."""
+    s, task, goal = navigating(stage)
+    cancelled: list = []
+    s.robot.cancel, s.robot.stop = cancelled.append, fail
+    s.executor.hold()
+    assert (cancelled, goal.state) == ([task], GoalState.EXECUTING)
+    del s.robot.stop
+
+
 def test_who_makes_way_is_asked_once_however_many_commands_follow(stage):
     s, task, _ = navigating(stage)
     cancelled: list = []
