@@ -22,7 +22,8 @@ log = logging.getLogger(__name__)
 class Failsafe:
     """Asks a robot and its velocity loop in ways that never raise.
 
-    It has no lock of its own: ``stop_robot`` may be called at any time from any thread, all else under the executor's.
+    It has no lock of its own: ``stop_robot`` and ``stop_past`` may be called at any time from any thread, all else
+    under the executor's.
 
     Args:
         robot: what comes to rest.
@@ -84,6 +85,16 @@ class Failsafe:
             self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {told(error)}")
             pass_on_interrupt(error)
             return False
+
+    def stop_past(self) -> None:
+        """The robot's own stop, and the end of what a process of its own writes, whoever has the lock: the gate is none
+        for that. What has ended is entered by a :meth:`stop` that follows."""
+        try:
+            if hasattr(self._loop, "cut"):
+                self._loop.cut()
+        except Exception:
+            log.exception("the velocity loop raised in cut()")
+        self.stop_robot()
 
     def halt_loop(self, now: float) -> Travel | None:
         """End the motion of a robot that was stopped; how far it had come, None if the loop failed."""

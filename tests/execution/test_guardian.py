@@ -23,7 +23,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Motion
+from intent_engine.execution.motion import Motion, Rates
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 from intent_engine.execution.robots.simulated import SimulatedRobot
 
@@ -164,6 +164,27 @@ def test_nothing_follows_a_stop(guarded, wire):
         time.sleep(0.06)
         late = [m for m in list(wire.lines) if m["time"] > at and any(m.get("velocity", {"linear": 0}).values())]
         assert [m for m in late if m["velocity"]["linear"]] == []
+
+
+@pytest.mark.parametrize("verbs", [["stop"], ["stop", "stop"], ["hold"]], ids=" ".join)
+def test_a_robot_that_hangs_keeps_no_stop_from_the_process(wire, verbs):
+    """Who hangs in a call of the robot has the lock, and the gate is none for what another process writes."""
+    rates = Rates(valid_for=60.0)  # the watchdog would stop it too, but not before
+    guardian = Guardian(SINK, {"out": wire.write}, limits=LIMITS, rates=rates, pass_fds=(wire.write,))
+    robot = JsonLinesRobot(wire.write)
+    with Executor(robot, LIMITS, loop=guardian, rates=rates, handle_sigterm=False) as executor:
+        executor._books.LATER = 0.01
+        (goal,) = executor.submit(LONG)
+        until(lambda: guardian.travel(0.0).amount > 0.02)
+        threads = [threading.Thread(target=getattr(executor, verb)) for verb in verbs]
+        with executor._books.lock:
+            for thread in threads:
+                thread.start()
+            until(lambda: wire.velocities()[-3:] == [(0.0, 0.0)] * 3)
+        for thread in threads:
+            thread.join(30.0)
+        covered = executor._conductor._run.feedback(0.0) if verbs == ["hold"] else goal.result(30.0).feedback
+        assert covered.travelled == pytest.approx(distance(wire), abs=0.02)
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "frozen"])
