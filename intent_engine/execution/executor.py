@@ -58,7 +58,7 @@ class Executor:
         hold_limit: s; a hold that nobody released becomes a stop.
         queue_limit: how many goals may wait.
         handle_sigterm: stop the robot when the process is asked to end, or its terminal is closed (where SIGTERM or
-            SIGHUP have no other handler yet).
+            SIGHUP have no other handler yet, and this is made in the main thread).
 
     Raises:
         TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.

@@ -51,7 +51,7 @@ class Guardian:
     Args:
         sink: what the process drives, e.g. ``intent_engine.execution.robots.jsonl:JsonLinesRobot``.
         options: its arguments.
-        limits: accelerations of the ramps.
+        limits: accelerations of the ramps; the executor's own.
         rates: rate and validity of the writes.
         priority: of SCHED_FIFO, 1 to 99, where the system allows it; 0: ordinary scheduling.
         pass_fds: descriptors that the sink needs.
@@ -78,8 +78,8 @@ class Guardian:
         priority: int = 20,
         pass_fds: tuple[int, ...] = (),
     ) -> None:
-        self._limits, self._rates = limits or Limits(), rates or Rates()
-        self._program = VelocityProgram(sink, dict(options or {}), self._limits, self._rates, priority, pass_fds)
+        self.limits, self._rates = limits or Limits(), rates or Rates()
+        self._program = VelocityProgram(sink, dict(options or {}), self.limits, self._rates, priority, pass_fds)
         self._poke: Callable[[], None] = lambda: None
         self._stop_robot: Callable[[], None] = lambda: None
         self._heard = threading.Condition()
@@ -138,7 +138,7 @@ class Guardian:
     def start(self, motion: Motion, now: float) -> float:
         self._check()
         # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
-        takes = time_for(motion, self._limits, *self.written)
+        takes = time_for(motion, self.limits, *self.written)
         number = self._begin(motion.turning)
         self._order(do="start", id=number, motion=motion.to_json())
         self._beat_at = now + self._beat

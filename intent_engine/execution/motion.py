@@ -18,7 +18,7 @@ from intent_engine.execution.limits import Limits
 from intent_engine.execution.profile import Profile, brake, for_distance, for_duration
 from intent_engine.values import check_number
 
-__all__ = ["Ended", "Follower", "Keep", "Motion", "Rates", "Travel", "VelocitySink", "time_for"]
+__all__ = ["Ended", "Follower", "Keep", "Motion", "Rates", "Travel", "VelocitySink", "ramps", "time_for"]
 
 
 class VelocitySink(Protocol):
@@ -144,7 +144,7 @@ def time_for(motion: Motion, limits: Limits, linear: float, angular: float) -> f
         limits: whose accelerations the ramps have.
         linear, angular: m/s and rad/s at which it begins.
     """
-    main, other = _profiles(motion, _ramps(limits), linear, angular)
+    main, other = _profiles(motion, ramps(limits), linear, angular)
     return max(main.duration, other.duration if other is not None else 0.0)
 
 
@@ -158,7 +158,7 @@ class Follower:
     def __init__(self, sink: VelocitySink, limits: Limits, rates: Rates) -> None:
         self._sink = sink
         self._rates = rates
-        self._rate_of = _ramps(limits)
+        self._rate_of = ramps(limits)
         self._motion: Motion | None = None
         self._main: Profile | None = None
         self._other: Profile | None = None
@@ -344,19 +344,20 @@ _Ramps = dict[bool, tuple[float, float]]
 """Whether it turns -> how fast a speed grows, and how fast it falls: m/s^2 or rad/s^2."""
 
 
-def _ramps(limits: Limits) -> _Ramps:
+def ramps(limits: Limits) -> _Ramps:
+    """The ramps of a robot, by whether it turns."""
     return {
         False: (limits.linear_acceleration, limits.linear_deceleration or limits.linear_acceleration),
         True: (limits.angular_acceleration, limits.angular_deceleration or limits.angular_acceleration),
     }
 
 
-def _profiles(motion: Motion, ramps: _Ramps, linear: float, angular: float) -> tuple[Profile, Profile | None]:
+def _profiles(motion: Motion, rates: _Ramps, linear: float, angular: float) -> tuple[Profile, Profile | None]:
     """What a motion does on its own axis from present speeds, and what brakes the other, if that moves."""
     main, other = (angular, linear) if motion.turning else (linear, angular)
-    up, down = ramps[motion.turning]
+    up, down = rates[motion.turning]
     if motion.keep is Keep.DISTANCE:
         own = for_distance(motion.amount, motion.speed, up, down, main)
     else:
         own = for_duration(motion.duration, motion.speed, up, down, main)
-    return own, brake(other, ramps[not motion.turning][1]) if other else None
+    return own, brake(other, rates[not motion.turning][1]) if other else None

@@ -454,6 +454,14 @@ def test_a_slow_brake_is_waited_for(wire):
         guardian.close()
 
 
+def test_a_guardian_has_the_accelerations_of_its_executor(wire):
+    """Else it would drive without the ramps that the robot must have."""
+    guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
+    with pytest.raises(ValueError, match="other accelerations"):
+        Executor(JsonLinesRobot(wire.write), LIMITS, loop=guardian, handle_sigterm=False)
+    Executor(JsonLinesRobot(wire.write), Limits(distance=3.0), loop=guardian, handle_sigterm=False).close()
+
+
 def test_a_guardian_cannot_follow_a_virtual_clock(wire):
     guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
     with pytest.raises(ValueError, match="virtual clock"):
