@@ -35,11 +35,14 @@ def check_number(name: str, value: object, unit: str = "s", *, positive: bool = 
 
     Raises:
         TypeError: it is no number.
-        ValueError: it is below zero, or NaN.
+        ValueError: it is below zero, NaN, or a whole number that no other can hold.
     """
     if not is_number(value):
         raise TypeError(f"{name} is a number of {unit}, not {value!r:.80}")
-    number = float(value)  # type: ignore[arg-type]
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except OverflowError:
+        raise ValueError(f"{name} is a number of {unit}, and {value!r:.20}... is beyond all of them") from None
     if math.isnan(number):
         raise ValueError(f"{name} must be a number, not nan")
     if number < 0:

@@ -94,7 +94,7 @@ class Books:
         self._gate.keep_shut(hold)
         try:
             if not self.lock.acquire(timeout=self.PATIENCE):
-                self._failsafe.stop_robot()  # see stop
+                self._failsafe.stop_past()  # see stop
                 self.lock.acquire()
             try:
                 with self.locked() as now:
@@ -118,7 +118,7 @@ class Books:
             if not locked:
                 # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
                 # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
-                self._failsafe.stop_robot()
+                self._failsafe.stop_past()
                 locked = self.lock.acquire(timeout=self.LATER)
         finally:
             if not locked:  # or Ctrl-C came meanwhile

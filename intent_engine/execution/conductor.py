@@ -195,10 +195,10 @@ class Conductor:
         elif self._run is not None and self._run.goal is goal:
             self._give_up(self._run, Reason.CANCELED, now)
 
-    def hold(self, now: float) -> None:
-        """Rest at once; the robot itself has been stopped."""
+    def hold(self, now: float, stopped: bool = True) -> None:
+        """Rest at once; the robot itself has been ``stopped``, or its stop has failed."""
         self._held_since = now
-        self._suspend(now, at_once=True)
+        self._suspend(now, at_once=True, stopped=stopped)
 
     def release(self, now: float) -> None:
         self._held_since = None
@@ -313,16 +313,19 @@ class Conductor:
         self._progress.end(goal, ending, now, run)
         if ending.state not in (GoalState.ABORTED, GoalState.CANCELED):
             return
+        if ending.reason is Reason.WATCHDOG:
+            self._queue.clear(ending.reason, now)  # a robot that wakes begins nothing either
         reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
         self._queue.end_after(goal, reason, now)
 
     # -- rest and failure --------------------------------------------------------------------------------------------
 
-    def _suspend(self, now: float, at_once: bool) -> None:
+    def _suspend(self, now: float, at_once: bool, stopped: bool = True) -> None:
         run = self._run
         try:
             if run is not None:
-                run.suspend(now, at_once)
+                # What the robot does by itself is cancelled by its own name where the robot could not be stopped.
+                run.suspend(now, at_once and (stopped or isinstance(run, MotionRun)))
             if at_once and self._loop.moving:
                 self._loop.halt(now, write=False)
         except BaseException as error:

@@ -88,6 +88,9 @@ class _Lane:
         self._events: queue.SimpleQueue[Event | threading.Event | None] = queue.SimpleQueue()
         self.put: Callable[[Event | threading.Event | None], object] = self._events.put
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+
+    def begin(self) -> None:
+        """Deliver what was put, and what is put from now on."""
         self._thread.start()
 
     def mark(self) -> threading.Event:
@@ -136,6 +139,8 @@ class Dispatcher:
         self._flushing = threading.Lock()
         self._listeners: tuple[Listener, ...] = ()
         self._lanes: tuple[_Lane, ...] = (_Lane(_settled, "executor-results"),) if threaded else ()
+        for lane in self._lanes:
+            lane.begin()
 
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Call ``listener`` with each event from now on; returns what ends this."""
@@ -147,13 +152,18 @@ class Dispatcher:
 
             return forget
         lane = _Lane(listener, "executor-events")
-        self._lanes = (*self._lanes, lane)
 
         def unsubscribe() -> None:
             if lane in self._lanes:
                 self._lanes = tuple(other for other in self._lanes if other is not lane)
                 lane.put(None)
 
+        try:
+            self._lanes = (*self._lanes, lane)
+            lane.begin()
+        except BaseException:  # Ctrl-C, or there is no thread: nobody else could end it
+            unsubscribe()
+            raise
         return unsubscribe
 
     def tell(

@@ -57,7 +57,8 @@ class Executor:
         expire_after: s; words that ended longer ago are not acted on. A stop never expires.
         hold_limit: s; a hold that nobody released becomes a stop.
         queue_limit: how many goals may wait.
-        handle_sigterm: stop the robot when the process is asked to end (where SIGTERM has no other handler yet).
+        handle_sigterm: stop the robot when the process is asked to end, or its terminal is closed (where SIGTERM or
+            SIGHUP have no other handler yet, and this is made in the main thread).
 
     Raises:
         TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.
@@ -207,8 +208,7 @@ class Executor:
         """
         with self._books.held() as now:
             if not (self._conductor.closed or self._conductor.held):
-                self._failsafe.stop_robot()
-                self._conductor.hold(now)
+                self._conductor.hold(now, self._failsafe.stop_robot())
                 self._events.tell(EventKind.HOLD)
                 self._books.wake.notify_all()
         self._events.flush()

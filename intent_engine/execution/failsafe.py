@@ -7,6 +7,7 @@ import logging
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
+from intent_engine.execution.given import check_pose
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.motion import Travel
 from intent_engine.execution.raised import pass_on_interrupt, told
@@ -21,7 +22,8 @@ log = logging.getLogger(__name__)
 class Failsafe:
     """Asks a robot and its velocity loop in ways that never raise.
 
-    It has no lock of its own: ``stop_robot`` may be called at any time from any thread, all else under the executor's.
+    It has no lock of its own: ``stop_robot`` and ``stop_past`` may be called at any time from any thread, all else
+    under the executor's.
 
     Args:
         robot: what comes to rest.
@@ -84,6 +86,16 @@ class Failsafe:
             pass_on_interrupt(error)
             return False
 
+    def stop_past(self) -> None:
+        """The robot's own stop, and the end of what a process of its own writes, whoever has the lock: the gate is none
+        for that. What has ended is entered by a :meth:`stop` that follows."""
+        try:
+            if hasattr(self._loop, "cut"):
+                self._loop.cut()
+        except Exception:
+            log.exception("the velocity loop raised in cut()")
+        self.stop_robot()
+
     def halt_loop(self, now: float) -> Travel | None:
         """End the motion of a robot that was stopped; how far it had come, None if the loop failed."""
         try:
@@ -119,12 +131,16 @@ class Failsafe:
         return None
 
     def pose(self) -> Pose | None:
-        """Where the robot believes it is; None if it cannot tell. That it raised is said once for each goal."""
+        """Where the robot believes it is; None if it cannot tell. That it raised, or told what is no pose of finite
+        numbers, is said once for each goal."""
         try:
-            return self._robot.pose()
+            pose = self._robot.pose()
+            if pose is not None:
+                check_pose("pose() of a robot", pose)  # a localisation that has diverged says NaN, and JSON cannot
+            return pose
         except BaseException as error:
             if not self._lost:
-                log.exception("the robot raised in pose(); this is said once until the next command")
+                log.exception("the robot cannot tell its pose; this is said once until the next command")
             self._lost = True
             pass_on_interrupt(error)
             return None

@@ -11,7 +11,8 @@ from typing import Any
 
 from intent_engine.actions import ACTION_TYPES
 from intent_engine.execution.goal import Goal
-from intent_engine.execution.motion import Rates
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.motion import Rates, ramps
 from intent_engine.execution.policy import Policy
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.hints import did_you_mean
@@ -23,6 +24,7 @@ __all__ = [
     "check_clock",
     "check_handler",
     "check_listener",
+    "check_loop",
     "check_number",
     "check_parts",
     "check_policies",
@@ -56,6 +58,17 @@ def check_parts(clock: object, rates: object, loop: object, journal: object, on_
     for name, listener in (("journal", journal), ("on_event", on_event)):
         if listener is not None:
             check_listener(name, listener)
+
+
+def check_loop(loop: object, limits: Limits) -> None:
+    """See that the process that writes velocities keeps to the limits of its executor.
+
+    Raises:
+        ValueError: it was made with other accelerations.
+    """
+    own = getattr(loop, "limits", None)
+    if own is not None and ramps(own) != ramps(limits):
+        raise ValueError("the guardian has other accelerations than its executor: Guardian(..., limits=those of that)")
 
 
 def check_clock(clock: object) -> None:

@@ -97,7 +97,8 @@ class Reason(StrEnum):
     VELOCITY_LOOP = "velocity_loop"
     """The process that owns the velocity died or fell silent; no motion until :meth:`Executor.reset`."""
     WATCHDOG = "watchdog"
-    """This program was silent for longer than a velocity is valid, and the velocity loop stopped the robot."""
+    """This program was silent for longer than a velocity is valid, and the velocity loop stopped the robot; or it was
+    away for seconds and woke, and does not drive on."""
     CLOSED = "closed"
 
 

@@ -5,7 +5,8 @@ Each of the orders ``start``, ``brake`` and ``halt`` has a number of its own, hi
 - ``start`` has no answer. What the process tells of the motion bears its number: ``alive`` (how far it is, and what is
   written) every 25 ms, then ``ended``; or ``lost`` (it heard nothing from here, and stopped) or ``failed`` (the robot
   raised).
-- ``brake`` and ``halt`` are answered by ``done`` with their own number, and how far the motion had come. From then on
+- ``brake`` and ``halt`` are answered by ``done`` with their own number, and how far the motion had come (a stop that
+  has to pass the executor's lock waits for no answer, and is followed by a ``halt`` that does). From then on
   the process tells under that number how the robot comes to rest; but a motion that is in its last ramp already is
   left alone by ``brake``, and keeps its number.
 - ``silence``, ``alive`` (a sign of life from here) and ``close`` have neither number nor answer.
@@ -27,26 +28,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from intent_engine.errors import RobotError
-from intent_engine.execution.goal import Reason
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Ended, Motion, Rates, Travel
+from intent_engine.execution.motion import Ended, Motion, Rates, Travel, time_for
+from intent_engine.execution.velocity_faults import WITHOUT, VelocityLoopError, WatchdogError, ended_by, not_started
 from intent_engine.execution.velocity_program import VelocityProgram
 
 __all__ = ["Guardian", "VelocityLoopError", "WatchdogError"]
 
 log = logging.getLogger(__name__)
-
-
-class VelocityLoopError(RobotError):
-    """The process that owns the velocity died or fell silent."""
-
-    goal_reason = Reason.VELOCITY_LOOP
-
-
-class WatchdogError(RobotError):
-    """The process stopped the robot, because this program was silent for too long."""
-
-    goal_reason = Reason.WATCHDOG
 
 
 class Guardian:
@@ -62,7 +51,7 @@ class Guardian:
     Args:
         sink: what the process drives, e.g. ``intent_engine.execution.robots.jsonl:JsonLinesRobot``.
         options: its arguments.
-        limits: accelerations of the ramps.
+        limits: accelerations of the ramps; the executor's own.
         rates: rate and validity of the writes.
         priority: of SCHED_FIFO, 1 to 99, where the system allows it; 0: ordinary scheduling.
         pass_fds: descriptors that the sink needs.
@@ -89,8 +78,8 @@ class Guardian:
         priority: int = 20,
         pass_fds: tuple[int, ...] = (),
     ) -> None:
-        self._limits, self._rates = limits or Limits(), rates or Rates()
-        self._program = VelocityProgram(sink, dict(options or {}), self._limits, self._rates, priority, pass_fds)
+        self.limits, self._rates = limits or Limits(), rates or Rates()
+        self._program = VelocityProgram(sink, dict(options or {}), self.limits, self._rates, priority, pass_fds)
         self._poke: Callable[[], None] = lambda: None
         self._stop_robot: Callable[[], None] = lambda: None
         self._heard = threading.Condition()
@@ -100,6 +89,10 @@ class Guardian:
         """Number of the order whose end is waited for; what is said about an earlier one is old."""
         self._halted = 0
         """Number of the order that was the current one before a halt: it may have ended before the halt arrived."""
+        self._cuts: set[int] = set()
+        """Numbers of the halts that nobody waits for."""
+        self._cut_at: Travel | None = None
+        """How far the motion had come that it ended."""
         self._closed = self._moving = self._lost = self._fifo = False
         self._error = ""
         """Why the process can no longer be used."""
@@ -107,6 +100,8 @@ class Guardian:
         """Why the motion ended early."""
         self._ended: Ended | None = None
         self._written = (0.0, 0.0)
+        self._turning = False
+        """Whether the motion is one, and not a drive."""
         self._travel, self._travel_at = Travel(), 0.0
         self._answers: dict[int, Travel] = {}
         self._heard_at = time.monotonic()
@@ -142,14 +137,12 @@ class Guardian:
 
     def start(self, motion: Motion, now: float) -> float:
         self._check()
-        number = self._begin()
+        # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
+        takes = time_for(motion, self.limits, *self.written)
+        number = self._begin(motion.turning)
         self._order(do="start", id=number, motion=motion.to_json())
         self._beat_at = now + self._beat
-        # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
-        ramps = abs(motion.speed) / (
-            self._limits.angular_acceleration if motion.turning else self._limits.linear_acceleration
-        )
-        return now + motion.duration + 4.0 * ramps
+        return now + takes
 
     def brake(self, now: float) -> Travel:
         self._check()
@@ -163,6 +156,15 @@ class Guardian:
         self._moving = False
         return travel
 
+    def cut(self) -> None:
+        """Zero, now, whoever has the executor's lock. The halt that makes it known here follows when that is free."""
+        with self._heard:
+            self._numbers += 1
+            number = self._numbers
+            self._cuts.add(number)
+        if not self._error:
+            self._order(do="halt", id=number)
+
     def silence(self) -> None:
         if not self._error:
             self._order(do="silence")
@@ -171,7 +173,7 @@ class Guardian:
         if not self._moving:
             return Travel()
         ahead = min(max(time.monotonic() - self._travel_at, 0.0), self._rates.valid_for)
-        speed = self._written[0] or self._written[1]
+        speed = self._written[self._turning]
         there = self._travel
         return Travel(
             there.amount + speed * ahead, there.elapsed + ahead, max(there.time_left - ahead, 0.0), there.braking
@@ -251,7 +253,7 @@ class Guardian:
         except OSError as error:
             self._error = f"the velocity process could not be started: {error}"
             ours.close()
-            raise RobotError(f"{self._error}. {_WITHOUT}") from error
+            raise RobotError(f"{self._error}. {WITHOUT}") from error
         finally:
             theirs.close()
         threading.Thread(target=self._listen, args=(ours, ready), name="velocity-process", daemon=True).start()
@@ -262,10 +264,7 @@ class Guardian:
             raise
         if self._error or not ready.is_set():
             self._discard()
-            raise RobotError(
-                f"the velocity process did not start ({self._program.sink}); what it said is on standard error. "
-                f"{_WITHOUT}"
-            )
+            raise RobotError(not_started(self._program.sink))
 
     def _discard(self) -> None:
         """End a process that nothing depends on yet."""
@@ -274,11 +273,12 @@ class Guardian:
         self._process.wait()
         self._line.close()
 
-    def _begin(self) -> int:
+    def _begin(self, turning: bool) -> int:
         with self._heard:
+            self._turning = turning
             self._numbers += 1
             self._current = self._numbers
-            self._ended, self._problem = None, ""
+            self._ended, self._cut_at, self._problem = None, None, ""
             self._moving = True
             self._travel, self._written = Travel(), (0.0, 0.0)
             self._silent_since = self._looked_at = self._travel_at = time.monotonic()
@@ -351,7 +351,13 @@ class Guardian:
                 if self._ended is not None:
                     # The motion had ended before the order arrived, and the process tells only of what came after.
                     travel, self._ended = self._ended.travel, None
-                self._answers[message["done"]] = travel
+                elif self._cut_at is not None:
+                    travel = self._cut_at  # it was cut off before, and the process tells of nothing again
+                if message["done"] in self._cuts:
+                    self._cut_at = self._travel = travel
+                    self._written = (0.0, 0.0)
+                else:
+                    self._cut_at, self._answers[message["done"]] = None, travel
                 if not travel.braking:
                     # The motion is now the brake, whose end comes under this number.
                     self._current = max(self._current, message["done"])
@@ -372,7 +378,7 @@ class Guardian:
             if self._error or line is not self._line:
                 return
             code = self._process.poll()
-            self._error = why if code is None else f"{why} ({_exit(code)})"
+            self._error = why if code is None else f"{why} ({ended_by(code)})"
             self._heard.notify_all()
         if self._closed:
             return
@@ -389,10 +395,3 @@ class Guardian:
 
     def _give_up(self, why: str) -> None:
         self._dead(why, self._line, kill=True)
-
-
-_WITHOUT = "To drive without it, give the executor no loop"
-
-
-def _exit(code: int) -> str:
-    return f"signal {-code}" if code < 0 else f"exit code {code}"

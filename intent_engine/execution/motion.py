@@ -18,7 +18,7 @@ from intent_engine.execution.limits import Limits
 from intent_engine.execution.profile import Profile, brake, for_distance, for_duration
 from intent_engine.values import check_number
 
-__all__ = ["Ended", "Follower", "Keep", "Motion", "Rates", "Travel", "VelocitySink"]
+__all__ = ["Ended", "Follower", "Keep", "Motion", "Rates", "Travel", "VelocitySink", "ramps", "time_for"]
 
 
 class VelocitySink(Protocol):
@@ -136,6 +136,18 @@ class Ended:
     """s after the planned end"""
 
 
+def time_for(motion: Motion, limits: Limits, linear: float, angular: float) -> float:
+    """How long a motion takes, in s, until everything stands.
+
+    Args:
+        motion: what is to be done.
+        limits: whose accelerations the ramps have.
+        linear, angular: m/s and rad/s at which it begins.
+    """
+    main, other = _profiles(motion, ramps(limits), linear, angular)
+    return max(main.duration, other.duration if other is not None else 0.0)
+
+
 class Follower:
     """Writes the velocity of one motion at a time: accelerates, cruises, brakes, and then is silent.
 
@@ -146,10 +158,7 @@ class Follower:
     def __init__(self, sink: VelocitySink, limits: Limits, rates: Rates) -> None:
         self._sink = sink
         self._rates = rates
-        self._rate_of = {
-            False: (limits.linear_acceleration, limits.linear_deceleration or limits.linear_acceleration),
-            True: (limits.angular_acceleration, limits.angular_deceleration or limits.angular_acceleration),
-        }
+        self._rate_of = ramps(limits)
         self._motion: Motion | None = None
         self._main: Profile | None = None
         self._other: Profile | None = None
@@ -182,11 +191,9 @@ class Follower:
         linear, angular = self._present(now)
         self._motion, self._began = motion, now
         self._travelled = 0.0
-        main, other = (angular, linear) if motion.turning else (linear, angular)
-        self._plan(motion, main, other, now)
+        self._plan(motion, linear, angular, now)
         self._next = now
-        assert self._main is not None
-        return now + self._main.duration
+        return self._end
 
     def brake(self, now: float) -> Travel:
         """Come to rest with the robot's deceleration. Returns how far the motion had come.
@@ -197,12 +204,12 @@ class Follower:
         if travel.braking:
             return travel
         linear, angular = self._present(now)
-        self._motion = None
-        self._main = brake(linear, self._rate_of[False][1])
-        self._other = brake(angular, self._rate_of[True][1])
-        if self._other.duration > self._main.duration:
-            self._main, self._other = self._other, self._main
-            self._motion = Motion(True, math.copysign(1.0, angular), 0.0, 0.0)
+        # What is covered from now on is still of the axis that the motion was on.
+        turning = self._motion is not None and self._motion.turning
+        main, other = (angular, linear) if turning else (linear, angular)
+        self._motion = Motion(turning, math.copysign(1.0, main), 0.0, 0.0)
+        self._main = brake(main, self._rate_of[turning][1])
+        self._other = brake(other, self._rate_of[not turning][1])
         self._started = self._began = now
         self._travelled = 0.0
         self._zeros_left = self._rates.zeros
@@ -233,7 +240,7 @@ class Follower:
         """How far the present motion has come by now."""
         if self._main is None:
             return Travel()
-        left = max(self._started + self._main.duration - now, 0.0)
+        left = max(self._end - now, 0.0)
         return Travel(
             self._travelled + self._since_write(now), now - self._began, left, self._main.braking(now - self._started)
         )
@@ -255,13 +262,13 @@ class Follower:
 
     # -- inside ------------------------------------------------------------------------------------------------------
 
-    def _plan(self, motion: Motion, main: float, other: float, now: float) -> None:
-        up, down = self._rate_of[motion.turning]
-        if motion.keep is Keep.DISTANCE:
-            self._main = for_distance(motion.amount, motion.speed, up, down, main)
-        else:
-            self._main = for_duration(motion.duration, motion.speed, up, down, main)
-        self._other = brake(other, self._rate_of[not motion.turning][1]) if other else None
+    @property
+    def _end(self) -> float:
+        """When the present profiles end; s."""
+        return self._started + max(each.duration for each in (self._main, self._other) if each is not None)
+
+    def _plan(self, motion: Motion, linear: float, angular: float, now: float) -> None:
+        self._main, self._other = _profiles(motion, self._rate_of, linear, angular)
         self._started = now
         self._zeros_left = self._rates.zeros
 
@@ -296,9 +303,7 @@ class Follower:
         if late_tick and motion is not None and motion.amount:
             # Whole ticks were missed (a frozen machine): plan again from what was really covered and driven.
             self._replan(motion, now)
-        end = self._started + self._main.duration
-        if self._other is not None:
-            end = max(end, self._started + self._other.duration)
+        end = self._end
         if now >= end - 1e-12:
             return self._finish(now, end)
         # Ticks stand at whole periods after the beginning, whatever the delay of this one.
@@ -317,8 +322,7 @@ class Follower:
         linear, angular = self._written if alive else (0.0, 0.0)
         rest = motion.rest(Travel(self._travelled, now - self._began))
         if rest is not None:
-            main, other = (angular, linear) if motion.turning else (linear, angular)
-            self._plan(rest, main, other, now)
+            self._plan(rest, linear, angular, now)
 
     def _finish(self, now: float, end: float) -> Ended:
         travel = Travel(self._travelled, now - self._began, 0.0)
@@ -334,3 +338,26 @@ class Follower:
             raise RobotError(f"a velocity of {linear} m/s and {angular} rad/s was about to be written")
         self._sink.velocity(linear, angular, self._rates.valid_for)
         self._written, self._written_at = (linear, angular), now
+
+
+_Ramps = dict[bool, tuple[float, float]]
+"""Whether it turns -> how fast a speed grows, and how fast it falls: m/s^2 or rad/s^2."""
+
+
+def ramps(limits: Limits) -> _Ramps:
+    """The ramps of a robot, by whether it turns."""
+    return {
+        False: (limits.linear_acceleration, limits.linear_deceleration or limits.linear_acceleration),
+        True: (limits.angular_acceleration, limits.angular_deceleration or limits.angular_acceleration),
+    }
+
+
+def _profiles(motion: Motion, rates: _Ramps, linear: float, angular: float) -> tuple[Profile, Profile | None]:
+    """What a motion does on its own axis from present speeds, and what brakes the other, if that moves."""
+    main, other = (angular, linear) if motion.turning else (linear, angular)
+    up, down = rates[motion.turning]
+    if motion.keep is Keep.DISTANCE:
+        own = for_distance(motion.amount, motion.speed, up, down, main)
+    else:
+        own = for_duration(motion.duration, motion.speed, up, down, main)
+    return own, brake(other, rates[not motion.turning][1]) if other else None

@@ -35,7 +35,8 @@ class Parts:
 
     Raises:
         TypeError: the robot's own clock is none, or something else of it is not what it should be.
-        ValueError: a policy that there is not, or a velocity loop in another process for a virtual clock.
+        ValueError: a policy that there is not, or a velocity loop in another process for a virtual clock, or with other
+            accelerations.
     """
 
     def __init__(
@@ -52,6 +53,7 @@ class Parts:
         queue_limit: int,
     ) -> None:
         limits = limits_of(robot, limits)
+        given.check_loop(loop, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
         self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
         given.check_clock(self.clock)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe
-from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
+from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason, move_goal
 from intent_engine.execution.raised import pass_on_interrupt
 from intent_engine.execution.runs import Ending, Run
+from intent_engine.values import is_number
 
 __all__ = ["Progress"]
 
@@ -42,7 +44,7 @@ class Progress:
         """A goal ends; ``run`` carried it out."""
         if run is not None:
             try:
-                goal.feedback = replace(run.feedback(now), pose=self._failsafe.pose(), time_left=0.0)
+                goal.feedback = replace(self._feedback(run, now), time_left=0.0)
             except BaseException as error:
                 log.exception("no last feedback of goal %d", goal.id)
                 pass_on_interrupt(error)
@@ -52,7 +54,7 @@ class Progress:
     def feedback(self, run: Run, now: float) -> None:
         """How far it has come."""
         try:
-            feedback = replace(run.feedback(now), pose=self._failsafe.pose())
+            feedback = self._feedback(run, now)
         except BaseException as error:
             if self._mute is not run:
                 log.exception("no feedback of goal %d; this is said once", run.goal.id)
@@ -61,3 +63,13 @@ class Progress:
             return
         run.goal.feedback = feedback
         self._events.tell(EventKind.FEEDBACK, run.goal, feedback=feedback)
+
+    def _feedback(self, run: Run, now: float) -> Feedback:
+        feedback = run.feedback(now)
+        return replace(feedback, progress=_share(feedback.progress), pose=self._failsafe.pose())
+
+
+def _share(progress: object) -> float | None:
+    """What a robot or a handler says of its progress: 0 to 1, or None, as for what is no number."""
+    number = float(progress) if is_number(progress) else math.nan  # type: ignore[arg-type]
+    return min(max(number, 0.0), 1.0) if math.isfinite(number) else None

@@ -76,6 +76,9 @@ class MotionRun:
     """A move or turn on the velocity loop."""
 
     needs_rest = False
+    AWAY = 2.0
+    """s without a look at the motion, after which it is not gone on with: the program was stopped by its terminal or a
+    debugger, or its clock has jumped, and nobody expects the robot to move when it wakes."""
 
     def __init__(self, goal: Goal, motion: Motion | None, loop: VelocityLoop, before: Travel | None = None) -> None:
         """``before``: what the goal that this one amends has covered of it."""
@@ -86,9 +89,10 @@ class MotionRun:
         self._whole = motion
         self._loop = loop
         self._pausing = self._left = False
-        self._deadline = 0.0
+        self._deadline = self._looked_at = 0.0
 
     def begin(self, now: float) -> None:
+        self._looked_at = now
         if self._motion is not None:
             planned = self._loop.start(self._motion, now)
             self._deadline = planned + max(1.0, 0.1 * (planned - now))
@@ -98,6 +102,11 @@ class MotionRun:
     def step(self, now: float) -> Ending | None:
         if self._motion is None:
             return Ending(GoalState.SUCCEEDED)
+        away, self._looked_at = now - self._looked_at, now
+        under_way = self._loop.moving and not self._pausing
+        if under_way and away > self.AWAY:  # before anything more is written
+            why = f"nobody looked after the motion for {away:.1f} s, and so it is not gone on with"
+            return self._break_off(Reason.WATCHDOG, why, now)
         ended = self._loop.step(now)
         if ended is not None:
             if not self._pausing:
@@ -107,8 +116,8 @@ class MotionRun:
             self._pausing = False
             self._stand(ended.travel)
             return Ending(GoalState.SUCCEEDED) if self._motion is None else None
-        if self._loop.moving and not self._pausing and now > self._deadline:
-            return Ending(GoalState.ABORTED, Reason.TIMEOUT, "the motion did not end when it should have")
+        if under_way and now > self._deadline:
+            return self._break_off(Reason.TIMEOUT, "the motion did not end when it should have", now)
         return None
 
     def due(self, now: float) -> float | None:
@@ -179,6 +188,11 @@ class MotionRun:
         """How far the goal has come, pauses and the goal that it amends included."""
         here = self._loop.travel(now) if self._loop.moving and not self._left else Travel()
         return _sum(self._before, here)
+
+    def _break_off(self, reason: Reason, why: str, now: float) -> Ending:
+        """Zero, and the end of the goal: whoever ends it otherwise leaves the loop driving."""
+        self.leave(self._loop.halt(now))
+        return Ending(GoalState.ABORTED, reason, why)
 
     def _stand(self, travel: Travel) -> None:
         self._before = _sum(self._before, travel)

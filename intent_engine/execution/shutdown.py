@@ -1,4 +1,4 @@
-"""The last zeros of a process: at its normal end, and when it is asked to end."""
+"""The last zeros of a process: at its normal end, and when it is asked to end, or its terminal is closed."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ class _Closable(Protocol):
     def last_zeros(self) -> None: ...
 
 
+_ASKED_TO_END = [signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else [])]  # Windows hangs up on nobody
+
 # The end of a process is the process's own: one list for all executors in it.
 _open: weakref.WeakSet[_Closable] = weakref.WeakSet()
 
@@ -41,12 +43,11 @@ def check_free(robot: object) -> None:
 def register(executor: _Closable, sigterm: bool) -> None:
     """Stop ``executor`` when the process ends; with ``sigterm`` also when it is asked to, if nobody else listens."""
     _open.add(executor)
-    if (
-        sigterm
-        and threading.current_thread() is threading.main_thread()
-        and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
-    ):
-        signal.signal(signal.SIGTERM, _terminate)
+    if not sigterm or threading.current_thread() is not threading.main_thread():
+        return
+    for number in _ASKED_TO_END:
+        if signal.getsignal(number) is signal.SIG_DFL:  # and not ignored, as with nohup
+            signal.signal(number, _terminate)
 
 
 def unregister(executor: _Closable) -> None:

@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
-from intent_engine.ros2.clock import sent_at
+from intent_engine.ros2.clock import mark_of
 
 __all__ = ["HearAll"]
 
@@ -35,8 +35,8 @@ class HearAll:
         from rclpy.clock import Clock, ClockType
 
         self._node, self._kind, self._name, self._heard = node, kind, topic, heard
-        self._before: deque[int] = deque(maxlen=4 * self.DEPTH)
-        """When the messages were published that came last, in ns: each counts once, whoever heard it."""
+        self._before: deque[object] = deque(maxlen=4 * self.DEPTH)
+        """Marks of the messages that came last: each counts once, whoever heard it."""
         self._reliable = self._subscribe(reliable=True)
         self._other: Any = None
         # Of the computer's time: a simulator that is paused keeps no stop from the node.
@@ -48,11 +48,11 @@ class HearAll:
         return str(self._reliable.topic_name)
 
     def _hear(self, message: Any, info: Any) -> None:
-        sent = sent_at(info)
-        if sent in self._before:
-            return
-        if sent:
-            self._before.append(sent)
+        mark = mark_of(info)
+        if mark is not None:
+            if mark in self._before:
+                return
+            self._before.append(mark)
         self._heard(message, info)
 
     def _look(self) -> None:

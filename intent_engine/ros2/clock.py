@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["RosClock", "sent_at"]
+__all__ = ["RosClock", "mark_of", "sent_at"]
 
 
 class RosClock:
@@ -73,3 +73,18 @@ def sent_at(info: Any) -> int:
         info: what the middleware says of the message.
     """
     return int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0
+
+
+def mark_of(info: Any) -> object:
+    """By what a message is the same when it comes a second time, to another subscription; None: nobody can tell.
+
+    Args:
+        info: what the middleware says of the message.
+    """
+    if sent := sent_at(info):
+        return sent
+    if not isinstance(info, dict) or info.get("publication_sequence_number") is None:
+        return None
+    who = info.get("publisher_gid")
+    data = who.get("data") if isinstance(who, dict) else None
+    return (data, info["publication_sequence_number"]) if data is not None else None

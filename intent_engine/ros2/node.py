@@ -81,15 +81,18 @@ class VoiceCommands:
         arm = {Capability.PICK, Capability.PLACE} & parameters.robot.capabilities
         self._handed_over = frozenset({"custom", *(each.value for each in arm)})
         """Types of the actions that other nodes do."""
+        clock = RosClock(node) if node.get_parameter("use_sim_time").value else None
         self.robot = Ros2Robot(
             node,
             stamped=parameters.stamped,
             frame_id=parameters.frame_id,
             navigation=parameters.navigation,
             navigate_to_pose=parameters.navigate_to_pose,
+            capabilities=parameters.robot.capabilities,
+            clock=clock,
         )
         try:
-            self.executor = self._make_executor(parameters)
+            self.executor = self._make_executor(parameters, clock)
         except BaseException:
             self.robot.close()
             raise
@@ -251,13 +254,11 @@ class VoiceCommands:
 
     # -- inside --------------------------------------------------------------------------------------------------------
 
-    def _make_executor(self, parameters: NodeParameters) -> Executor:
+    def _make_executor(self, parameters: NodeParameters, clock: RosClock | None) -> Executor:
         robot_file = parameters.robot
-        clock = guardian = None
-        if self._node.get_parameter("use_sim_time").value:
-            # A simulated second may take any time; a process that counts real ones would stop too early or too late.
-            clock = RosClock(self._node)
-        elif parameters.guardian:
+        guardian = None
+        # A simulated second may take any time; a process that counts real ones would stop too early or too late.
+        if clock is None and parameters.guardian:
             guardian = Guardian(
                 GUARDIAN_SINK,
                 {

@@ -35,8 +35,25 @@ class Parameters:
 
     def text(self, name: str, default: str, meaning: str) -> str:
         value = self._declare(name, default, meaning)
+        if value is None or (isinstance(value, Iterable) and not isinstance(value, str)):
+            self._wrong(name, list(value or ()), "one text")  # None: as rclpy has an empty list
+            return default
         # `-p robot:=1` is a number to YAML; whoever wrote it meant a name.
         return str(value)
+
+    def service(self, name: str, default: str, meaning: str) -> str:
+        """The name of a service or an action."""
+        from rclpy.expand_topic_name import expand_topic_name
+        from rclpy.validate_full_topic_name import validate_full_topic_name
+
+        value = self.text(name, default, meaning)
+        try:
+            whole = expand_topic_name(value, self._node.get_name(), self._node.get_namespace())
+            validate_full_topic_name(whole, is_service=True)
+        except Exception:  # rclpy has one for each kind of name
+            self._wrong(name, value, "a name of ROS: letters, digits and _, with / between them")
+            return default
+        return value
 
     def texts(self, name: str, default: str, meaning: str) -> tuple[str, ...]:
         """One text or a list of texts."""
@@ -175,13 +192,7 @@ def read_parameters(node: Any) -> NodeParameters:
             robot = load_robot(find("robots", name))
         except ConfigError as error:
             declared.problems += error.problems
-    limits = replace(
-        robot.limits,
-        linear_velocity=declared.number("max_linear", robot.limits.linear_velocity, "m/s; faster is driven at this"),
-        angular_velocity=declared.number(
-            "max_angular", robot.limits.angular_velocity, "rad/s; faster is turned at this"
-        ),
-    )
+    limits = _limits(node, declared, robot)
     rate = declared.number("rate", robot.rates.rate, "Hz at which velocities are published while the robot moves")
     ttl = declared.number("ttl", robot.rates.valid_for, "s; a velocity that is not renewed for so long becomes zero")
     rates = robot.rates
@@ -198,7 +209,7 @@ def read_parameters(node: Any) -> NodeParameters:
         stamped=declared.choice("stamped", Stamped, Stamped.AUTO, "Twist, TwistStamped or what is subscribed to"),
         frame_id=declared.text("frame_id", "base_link", "Frame of TwistStamped"),
         navigation=navigation if Capability.NAVIGATE in robot.capabilities else NavigationWay.NONE,
-        navigate_to_pose=declared.text("navigate_to_pose", "navigate_to_pose", "Name of Nav2's action"),
+        navigate_to_pose=declared.service("navigate_to_pose", "navigate_to_pose", "Name of Nav2's action"),
         command_form=declared.choice(
             "command_form", CommandForm, CommandForm.JSON, "How commands are published on voice_commands/command"
         ),
@@ -210,3 +221,23 @@ def read_parameters(node: Any) -> NodeParameters:
     )
     declared.check()
     return parameters
+
+
+def _limits(node: Any, declared: Parameters, robot: RobotFile) -> Limits:
+    """A robot's limits. What its file allows, a parameter makes less and never more: nobody who sets it says that this
+    robot can do what its file says it cannot."""
+    limits = robot.limits
+    for name, limit, unit in (("max_linear", "linear_velocity", "m/s"), ("max_angular", "angular_velocity", "rad/s")):
+        of_file: float = math.inf if robot is DEFAULT else getattr(robot.limits, limit)
+        usual: float = of_file if math.isfinite(of_file) else getattr(DEFAULT.limits, limit)
+        told = declared.number(name, usual, f"{unit}; faster is driven at this")
+        if told > of_file:
+            node.get_logger().warning(f"parameter {name}: the robot file allows no more than {of_file:g} {unit}")
+        changes: dict[str, Any] = {limit: min(told, of_file)}
+        if math.isinf(of_file):
+            changes["over_each"] = {**limits.over_each, limit: OverLimit.CLAMP}
+        try:
+            limits = replace(limits, **changes)
+        except ValueError as error:  # in degrees
+            declared.problems.append(Problem(f"parameter {name}: {error}", hint=f"ros2 run ... -p {name}:=..."))
+    return limits

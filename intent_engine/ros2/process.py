@@ -52,7 +52,7 @@ def run_script(
 def _run_node(
     name: str, make: Callable[[Any, Callable[[int], None]], Room], arguments: Sequence[str], about: str | None
 ) -> int:
-    """Run a node until SIGINT, SIGTERM or its own end; returns the exit code.
+    """Run a node until SIGINT, SIGTERM, the end of its terminal or its own; returns the exit code.
 
     The order of the end is the point of this function. rclpy's own signal handlers close the middleware first, and then
     no zero velocity can be sent and no navigation cancelled; so they are not used. What the node does is closed while
@@ -74,7 +74,9 @@ def _run_node(
         return 0
     import_rclpy()
     end = _End()
-    signals = (signal.SIGINT, signal.SIGTERM)
+    signals = [signal.SIGINT, signal.SIGTERM]
+    if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # as with nohup
+        signals.append(signal.SIGHUP)
     before = [signal.signal(number, lambda number, frame: end.ask()) for number in signals]
     try:
         node = _made(name, arguments)

@@ -145,8 +145,8 @@ class Runtime:
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
-        self._running = threading.Lock()
-        """Held while it listens."""
+        self._listening: dict[str, object] = {}
+        """``run``: the call that listens."""
         self._key = TalkKey()
         self._deaf = False
         self._onset = Onset(self._endpoint.settings, self._key)
@@ -191,59 +191,68 @@ class Runtime:
         """
         if not hasattr(source, "frames"):
             raise TypeError(f"run takes a source of sound, not {source!r}: FileSource(path), Microphone() or another")
-        if not self._running.acquire(blocking=False):
-            raise RuntimeError(
-                "this runtime listens already, and hears one source at a time: wait for its run() to end, or make "
-                "another Runtime"
-            )
-        try:
-            return self._listen(source)
-        finally:
-            self._running.release()
-
-    def _listen(self, source: AudioSource) -> Summary:
-        """As :meth:`run`, which sees to it that it is done once at a time."""
-        utterance: SpokenUtterance | None = None
-        finished = False
-        frames: Iterator[Frame] | None = None
-        unsubscribe = self.executor.subscribe(self._asked.happened)
-        try:
+        call, finished = object(), False
+        frames: Iterator[Frame] = iter(())
+        unsubscribe: Callable[[], None] | None = None
+        try:  # from here on, whenever Ctrl-C comes
+            if self._listening.setdefault("run", call) is not call:
+                raise RuntimeError(
+                    "this runtime listens already, and hears one source at a time: wait for its run() to end, or make "
+                    "another Runtime"
+                )
+            unsubscribe = self.executor.subscribe(self._asked.happened)
             self._begin(source)
             # Who closed it before the source was known has not closed that, which may give its first frame late.
-            frames = source.frames() if not self._closing.is_set() else iter(())
-            for frame in frames:
-                if self._closing.is_set():
-                    break
-                self._move_clock(frame.time)
-                if frame.samples.size:  # else it was woken by a decode that has ended
-                    if frame.lost or frame.deaf or (frame.cut and utterance and not self._endpoint.silence):
-                        self._gap(frame, utterance)
-                        utterance = None
-                    self._taking_up.collect(frame.time, utterance)  # the endpoint decides by what is known now
-                    if not frame.deaf:
-                        self._deaf = False
-                        utterance = self._frame(frame, utterance)
-                    self._acting.summary.seconds = frame.time
-                self._taking_up.collect(frame.time, utterance)
-                if utterance is not None and self._over(self._endpoint.due(), frame.time, utterance):
-                    utterance = None
             if not self._closing.is_set():
-                if utterance is not None:
-                    self._break_off(utterance, self._acting.summary.seconds)
-                self._taking_up.drain()
-                self._holding.release(self._acting.summary.seconds, "the sound ended")
+                frames = source.frames()
+            self._listen(frames)
             finished = True
         finally:
-            unsubscribe()
-            self._source = None
-            if not finished or self._closing.is_set():
-                self.executor.stop()
-                self._decoding.leave()
-                if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
-                    frames.close()
-            # A thread that is still inside the model when the interpreter ends would abort the process.
-            self._decoding.settle(LAST_DECODE)
+            if self._listening.get("run") is call:
+                try:
+                    self._leave(frames, unsubscribe, finished)
+                finally:
+                    del self._listening["run"]
         return self._acting.summary
+
+    def _listen(self, frames: Iterator[Frame]) -> None:
+        """To the end of the sound."""
+        utterance: SpokenUtterance | None = None
+        for frame in frames:
+            if self._closing.is_set():
+                break
+            self._move_clock(frame.time)
+            if frame.samples.size:  # else it was woken by a decode that has ended
+                if frame.lost or frame.deaf or (frame.cut and utterance and not self._endpoint.silence):
+                    self._gap(frame, utterance)
+                    utterance = None
+                self._taking_up.collect(frame.time, utterance)  # the endpoint decides by what is known now
+                if not frame.deaf:
+                    self._deaf = False
+                    utterance = self._frame(frame, utterance)
+                self._acting.summary.seconds = frame.time
+            self._taking_up.collect(frame.time, utterance)
+            if utterance is not None and self._over(self._endpoint.due(), frame.time, utterance):
+                utterance = None
+        if not self._closing.is_set():
+            if utterance is not None:
+                self._break_off(utterance, self._acting.summary.seconds)
+            self._taking_up.drain()
+            self._holding.release(self._acting.summary.seconds, "the sound ended")
+
+    def _leave(self, frames: Iterator[Frame], unsubscribe: Callable[[], None] | None, finished: bool) -> None:
+        """Let go of what :meth:`run` has taken; the robot is stopped where it was broken off."""
+        if not finished or self._closing.is_set():
+            self.executor.stop()
+        if unsubscribe is not None:
+            unsubscribe()
+        self._source = None
+        if not finished or self._closing.is_set():
+            self._decoding.leave()
+            if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
+                frames.close()
+        # A thread that is still inside the model when the interpreter ends would abort the process.
+        self._decoding.settle(LAST_DECODE)
 
     def _begin(self, source: AudioSource) -> None:
         """Forget what an earlier source has left."""

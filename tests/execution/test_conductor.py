@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from intent_engine.actions import Move, Navigate
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.limits import Limits
@@ -73,6 +75,16 @@ def test_a_task_that_fails_is_cancelled_by_name_where_the_robot_cannot_stop(stag
     del s.robot.stop
 
 
+def test_a_held_task_is_cancelled_by_name_where_the_robot_cannot_stop(stage):
+    """Else it would go on through the hold, and nobody would know it any more when that becomes a stop."""
+    s, task, goal = navigating(stage)
+    cancelled: list = []
+    s.robot.cancel, s.robot.stop = cancelled.append, fail
+    s.executor.hold()
+    assert (cancelled, goal.state) == ([task], GoalState.EXECUTING)
+    del s.robot.stop
+
+
 def test_who_makes_way_is_asked_once_however_many_commands_follow(stage):
     s, task, _ = navigating(stage)
     cancelled: list = []
@@ -109,3 +121,29 @@ def test_no_more_goals_wait_than_the_queue_holds(stage):
     assert [goal.state for goal in (*running, third)] == [GoalState.EXECUTING, GoalState.ACCEPTED, GoalState.ACCEPTED]
     assert [(goal.state, goal.reason) for goal in refused] == [(GoalState.REJECTED, Reason.BUSY)]
     assert refused[0].detail == "more than 2 goals would wait"
+
+
+@pytest.mark.parametrize(("away", "reason"), [(1.9, Reason.TIMEOUT), (6.0, Reason.WATCHDOG)])
+def test_a_motion_that_is_given_up_ends_in_zeros(stage, away, reason):
+    """As after Ctrl-Z and fg: the robot stands when its goal has ended."""
+    s = stage()
+    (goal,) = s.executor.submit(Move(0.5, 0.5, 1.0))
+    s.clock.advance(0.5)
+    s.clock._now += away
+    s.clock.advance(1.0)
+    assert (goal.state, goal.reason) == (GoalState.ABORTED, reason)
+    assert [write.linear for write in s.robot.written[-3:]] == [0.0] * 3
+    assert not any(write.linear for write in s.robot.written if write.time > goal.times.ended)
+
+
+def test_a_program_that_was_away_does_not_drive_on_when_it_wakes(stage):
+    s = stage()
+    (goal,) = s.executor.submit(Move(0.5, 5.0, 10.0))
+    (later,) = s.executor.submit(FORWARD, policy="queue")
+    s.clock.advance(0.5)
+    before = len(s.robot.written)
+    s.clock._now += 4.0
+    s.clock.advance(1.0)
+    assert (goal.reason, later.reason) == (Reason.WATCHDOG, Reason.WATCHDOG)
+    assert {write.linear for write in s.robot.written[before:]} == {0.0}
+    assert goal.feedback.travelled == s.robot.pose().x

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from intent_engine.errors import RobotError
@@ -11,6 +13,7 @@ from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.guardian import VelocityLoopError
 from intent_engine.execution.motion import Travel
+from intent_engine.execution.robots.robot import Pose
 
 
 class Wreck:
@@ -116,4 +119,14 @@ def test_a_robot_that_never_knows_where_it_is_says_so_once_for_each_goal(broken,
     for count in (1, 2):
         broken.failsafe.begin()
         assert [broken.failsafe.pose() for _ in range(3)] == [None] * 3
-        assert len([record for record in caplog.records if "raised in pose()" in record.getMessage()]) == count
+        assert len([record for record in caplog.records if "cannot tell its pose" in record.getMessage()]) == count
+
+
+@pytest.mark.parametrize("where", [Pose(math.nan, 0.0, 0.0), Pose(0.0, math.inf, 0.0), (1.0, 2.0, 0.0)], ids=str)
+def test_what_is_no_pose_is_none(broken, caplog, where):
+    """A localisation that has diverged says NaN, which no line of JSON can hold."""
+    broken.robot.pose = lambda: where
+    assert [broken.failsafe.pose() for _ in range(3)] == [None] * 3
+    assert len(caplog.records) == 1
+    broken.robot.pose = lambda: Pose(1.0, 2.0, 0.5)
+    assert broken.failsafe.pose() == Pose(1.0, 2.0, 0.5)

@@ -23,7 +23,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Motion
+from intent_engine.execution.motion import Motion, Rates
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 from intent_engine.execution.robots.simulated import SimulatedRobot
 
@@ -164,6 +164,27 @@ def test_nothing_follows_a_stop(guarded, wire):
         time.sleep(0.06)
         late = [m for m in list(wire.lines) if m["time"] > at and any(m.get("velocity", {"linear": 0}).values())]
         assert [m for m in late if m["velocity"]["linear"]] == []
+
+
+@pytest.mark.parametrize("verbs", [["stop"], ["stop", "stop"], ["hold"]], ids=" ".join)
+def test_a_robot_that_hangs_keeps_no_stop_from_the_process(wire, verbs):
+    """Who hangs in a call of the robot has the lock, and the gate is none for what another process writes."""
+    rates = Rates(valid_for=60.0)  # the watchdog would stop it too, but not before
+    guardian = Guardian(SINK, {"out": wire.write}, limits=LIMITS, rates=rates, pass_fds=(wire.write,))
+    robot = JsonLinesRobot(wire.write)
+    with Executor(robot, LIMITS, loop=guardian, rates=rates, handle_sigterm=False) as executor:
+        executor._books.LATER = 0.01
+        (goal,) = executor.submit(LONG)
+        until(lambda: guardian.travel(0.0).amount > 0.02)
+        threads = [threading.Thread(target=getattr(executor, verb)) for verb in verbs]
+        with executor._books.lock:
+            for thread in threads:
+                thread.start()
+            until(lambda: wire.velocities()[-3:] == [(0.0, 0.0)] * 3)
+        for thread in threads:
+            thread.join(30.0)
+        covered = executor._conductor._run.feedback(0.0) if verbs == ["hold"] else goal.result(30.0).feedback
+        assert covered.travelled == pytest.approx(distance(wire), abs=0.02)
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "frozen"])
@@ -420,6 +441,25 @@ def test_a_sink_that_cannot_be_made_is_told(capfd):
     with pytest.raises(RobotError, match="did not start"):
         Guardian("intent_engine.execution.robots.jsonl:NoSuchRobot")
     assert "NoSuchRobot" in capfd.readouterr().err
+
+
+def test_a_slow_brake_is_waited_for(wire):
+    limits = Limits(linear_acceleration=5.0, linear_deceleration=0.1)
+    guardian = Guardian(SINK, {"out": wire.write}, limits=limits, pass_fds=(wire.write,))
+    try:
+        now = time.monotonic()
+        assert guardian.start(Motion(False, 1.0, 1.0, 1.0), now) - now == pytest.approx(4.6, abs=0.1)
+        guardian.halt(now)
+    finally:
+        guardian.close()
+
+
+def test_a_guardian_has_the_accelerations_of_its_executor(wire):
+    """Else it would drive without the ramps that the robot must have."""
+    guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
+    with pytest.raises(ValueError, match="other accelerations"):
+        Executor(JsonLinesRobot(wire.write), LIMITS, loop=guardian, handle_sigterm=False)
+    Executor(JsonLinesRobot(wire.write), Limits(distance=3.0), loop=guardian, handle_sigterm=False).close()
 
 
 def test_a_guardian_cannot_follow_a_virtual_clock(wire):

@@ -177,6 +177,16 @@ def test_a_reader_that_does_not_read_holds_up_no_stop(pipe, monkeypatch):
     assert set(more) == {0.0}, "it is known by then"
 
 
+def test_no_stop_stands_in_the_midst_of_a_line_that_went_out_in_pieces(pipe):
+    """It is 4 KiB of which a pipe promises that they are written whole."""
+    read, write = pipe
+    robot = JsonLinesRobot(write)
+    with pytest.raises(RobotError, match="too long"):
+        robot.pick("x" * (1 << 20))
+    robot.stop()
+    assert [next(iter(line)) for line in lines(read)] == ["stop"]
+
+
 def test_nor_does_one_between_whose_look_and_write_another_filled_the_pipe(pipe, monkeypatch):
     """As a guardian's process may, which writes into the same pipe."""
     _, write = pipe

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from intent_engine.actions import Move, Turn
 from intent_engine.errors import RobotError
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Ended, Follower, Keep, Motion, Rates, Travel
+from intent_engine.execution.motion import Ended, Follower, Keep, Motion, Rates, Travel, time_for
 
 RATES = Rates(rate=20.0, valid_for=0.3)
 LIMITS = Limits(linear_acceleration=0.5, angular_acceleration=1.0)
@@ -131,6 +131,42 @@ def test_a_turn_that_replaces_a_drive_brakes_it_meanwhile():
     assert turned == pytest.approx(1.0, abs=1e-9)
 
 
+def turning_into_a_drive(limits: Limits) -> tuple[World, Follower, float]:
+    """A turn of 1 rad/s, and a drive of 1 m that has just taken its place; when that is to end."""
+    world = World()
+    follower = Follower(world, limits, RATES)
+    follower.start(Motion(True, 1.0, 30.0, 30.0), 0.0)
+    while world.now < 4.0:
+        world.advance(follower.due() or 0.0)
+        follower.step(world.now)
+    return world, follower, follower.start(Motion(False, 0.5, 1.0, 2.0), world.now)
+
+
+@pytest.mark.parametrize("angular", [10.0, 0.5, 0.1])
+def test_the_end_of_a_motion_is_known_when_it_begins(angular):
+    """It is over when everything stands: who takes it for late before that ends a goal of a robot that moves."""
+    limits = Limits(linear_acceleration=5.0, angular_acceleration=1.0, angular_deceleration=angular)
+    world, follower, planned = turning_into_a_drive(limits)
+    assert planned == pytest.approx(world.now + time_for(Motion(False, 0.5, 1.0, 2.0), limits, 0.0, 1.0))
+    ended = follow(follower, world, lambda: 0.0)
+    assert ended is not None
+    assert ended.at == pytest.approx(planned)
+
+
+@pytest.mark.parametrize("angular", [10.0, 0.5, 0.1])
+def test_what_a_brake_covers_is_of_the_axis_of_the_motion(angular):
+    limits = Limits(linear_acceleration=5.0, angular_acceleration=1.0, angular_deceleration=angular)
+    world, follower, _ = turning_into_a_drive(limits)
+    before, until = world.x, world.now + 0.5
+    while world.now < until:
+        world.advance(follower.due() or 0.0)
+        follower.step(world.now)
+    travel = follower.brake(world.now)
+    ended = follow(follower, world, lambda: 0.0)
+    assert ended is not None
+    assert travel.amount + ended.travel.amount == pytest.approx(world.x - before)
+
+
 def test_halt_is_one_zero_now_and_two_more():
     world = World()
     follower = Follower(world, LIMITS, RATES)
@@ -183,7 +219,7 @@ def test_the_rest_of_a_motion():
     assert timed.rest(Travel(0.1, 2.0)) is None
 
 
-@pytest.mark.parametrize("wrong", [{"rate": 0.0}, {"rate": 2.0}, {"valid_for": 0.0}, {"zeros": 0}])
+@pytest.mark.parametrize("wrong", [{"rate": 0.0}, {"rate": 2.0}, {"valid_for": 0.0}, {"zeros": 0}, {"rate": 10**400}])
 def test_rates_that_cannot_work_are_refused(wrong):
-    with pytest.raises(ValueError, match=r"rates|runs out"):
+    with pytest.raises(ValueError, match=r"rates|runs out|beyond"):
         Rates(**wrong)

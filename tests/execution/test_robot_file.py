@@ -78,6 +78,8 @@ simulation: {start: {x: 1, y: 2}, objects: {cup: kitchen}, seed: 4}
         ("name: r\nlimits:\n  linear_velocity: 50 cm/s\n", 3, "in SI units, without a unit: 0.5"),
         ("name: r\nlimits:\n  angular_velocity: 90 deg/s\n", 3, "in SI units, without a unit: 1.5708"),
         ("name: r\nrates: {rate: 20 Hz}\n", 2, "a plain number, in SI units"),
+        ("name: r\nhold_limit: 1" + 400 * "0" + "\n", 2, "must be a finite number"),
+        ("name: r\nsimulation: {objects: {cup: 1}}\n", 2, "must be text or nothing"),
         ("name: r\nlimits: {angular_velocity: 90}\n", 2, "in rad/s; 90 degrees a second are 1.571"),
         ("name: r\nlimits: {angular_velocity: {max: 45, over: clamp}}\n", 2, "45 rad/s are 7.2 turns a second"),
         ("name: r\nlimits:\n  linear_velocity: -1\n", 3, "must be more than 0"),

@@ -10,10 +10,11 @@ import threading
 import time
 
 import pytest
+from execution_stage import until
 
 from intent_engine.actions import Custom, Move, Navigate
 from intent_engine.execution import goal
-from intent_engine.execution.events import Event
+from intent_engine.execution.events import Dispatcher, Event, EventKind, _Lane
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import GoalState, Reason, Times
@@ -240,7 +241,7 @@ def test_the_gate_follows_a_write_that_was_on_its_way_with_a_stop(robot):
 PROGRAM = """
 import os, sys, time
 from intent_engine.actions import Move
-from intent_engine.execution.events import Event
+from intent_engine.execution.events import Dispatcher, Event, EventKind, _Lane
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 executor = Executor(JsonLinesRobot(1))
@@ -257,8 +258,9 @@ time.sleep(0.12)
         ("raise SystemExit(3)", 3),
         ("raise KeyError('x')", 1),
         ("os.kill(os.getpid(), 15); time.sleep(60)", -15),
+        ("os.kill(os.getpid(), 1); time.sleep(60)", -1),
     ],
-    ids=["end", "exit", "error", "SIGTERM"],
+    ids=["end", "exit", "error", "SIGTERM", "SIGHUP"],
 )
 def test_every_way_out_of_the_process_writes_zeros_and_is_silent(end, code):
     done = subprocess.run([sys.executable, "-c", PROGRAM.format(end=end)], capture_output=True, text=True, timeout=60)
@@ -314,3 +316,22 @@ def test_a_listener_may_wait_for_the_others(robot):
         executor.stop()
         assert executor.settle(30.0)
     assert settled[0]
+
+
+def test_an_interrupted_subscription_is_none(monkeypatch):
+    events, heard = Dispatcher(lambda: 0.0, threaded=True), []
+    before, begin = threading.active_count(), _Lane.begin
+
+    def interrupted(lane: _Lane) -> None:
+        begin(lane)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(_Lane, "begin", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            events.subscribe(heard.append)
+    events.tell(EventKind.RESET)
+    assert events.settle(30.0)
+    assert heard == []
+    until(lambda: threading.active_count() == before)
+    events.close()

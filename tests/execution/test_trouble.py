@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import threading
+from types import SimpleNamespace
 
 import pytest
 
@@ -371,6 +372,19 @@ def test_a_task_that_tells_nothing_of_itself_is_logged_once(stage, caplog):
     s.executor.submit(KITCHEN)
     s.clock.advance(1.0)
     assert len([record for record in caplog.records if "no feedback of goal" in record.getMessage()]) == 1
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [(math.nan, None), (math.inf, None), ("half", None), (True, None), (-1, 0.0), (50, 1.0), (0.5, 0.5)],
+)
+def test_progress_is_0_to_1_or_not_known(stage, said, told):
+    s = stage()
+    task = SimpleNamespace(state="running", reason="", progress=said, add_done_callback=lambda callback: None)
+    s.robot.navigate = lambda goal: task
+    (goal,) = s.executor.submit(KITCHEN)
+    s.clock.advance(0.5)
+    assert goal.feedback.progress == told
 
 
 @pytest.mark.parametrize("rest", ["hold", "pause"])

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from intent_engine.ros2.clock import mark_of
 from intent_engine.ros2.latched import Newest
 
 
@@ -34,3 +35,20 @@ def test_what_was_kept_is_news_unless_something_younger_was_heard(heard, sent, n
     for time in heard:
         newest.live(time)
     assert newest.kept(sent) is news
+
+
+GID = {"implementation_identifier": "rmw", "data": b"\x01\x0f"}
+
+
+@pytest.mark.parametrize(
+    ("info", "mark"),
+    [
+        ({"source_timestamp": 7, "publication_sequence_number": 3, "publisher_gid": GID}, 7),
+        ({"source_timestamp": 0, "publication_sequence_number": 3, "publisher_gid": GID}, (b"\x01\x0f", 3)),
+        ({"source_timestamp": 0, "publication_sequence_number": None, "publisher_gid": GID}, None),
+        ({"source_timestamp": 0, "publication_sequence_number": 3}, None),  # of whom?
+        (None, None),
+    ],
+)
+def test_a_message_is_known_again_by_what_the_middleware_says_of_it(info, mark):
+    assert mark_of(info) == mark

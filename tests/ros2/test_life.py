@@ -31,7 +31,7 @@ def stays_still(peer) -> bool:
     return peer.come_to_rest()
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_clean_end_leaves_zero_and_no_process(peer, number):
     from ros_stage import alive, until
 
@@ -250,11 +250,13 @@ def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
     from ros_stage import NodeProcess
 
     node = NodeProcess(
-        peer, max_linear=-1, rate=2, ttl=0.1, stamped="maybe", guardian=3, max_angular="fast", robot="nonesuch"
-    )
+        peer, max_linear=-1, rate=2, ttl=0.1, stamped="maybe", guardian=3, max_angular="fast", robot="nonesuch",
+        journal="[a, b]", navigate_to_pose="/go//there",
+    )  # fmt: skip
     assert node.wait() == 2
     for name in ("max_linear: -1 is not a number above zero", "rate and ttl", "stamped: 'maybe'", "guardian: 3",
-                 "max_angular: 'fast'", "nonesuch"):  # fmt: skip
+                 "max_angular: 'fast'", "nonesuch", "journal: ['a', 'b'] is not one text",
+                 "navigate_to_pose: '/go//there' is not a name"):  # fmt: skip
         assert name in node.output
     assert "Traceback" not in node.output
 
@@ -286,6 +288,7 @@ def test_a_parameter_of_another_name_is_told_and_what_was_meant(peer, tmp_path):
         (["-p", "grammar:=[]"], 2, "parameter grammar: [] is not a name, or a list of names"),
         (["-p", "navigation:=action"], 6, "nav2_msgs is not installed"),
         (["-p", "broken"], 2, "broken"),
+        (["-p", "max_angular:=90"], 2, "90 degrees a second are math.radians(90)"),
         (["-r", "cmd_vel:=not a name"], 2, "not a name"),
         (["--", "turn left"], 2, "'turn left' is not understood"),
     ],
@@ -304,17 +307,17 @@ def test_other_mistakes_end_it_with_a_reason(peer, arguments, code, said):
 def test_a_robot_file_and_a_journal(peer, tmp_path):
     from ros_stage import NodeProcess, until
 
-    path = tmp_path / "journal.jsonl"
-    with NodeProcess(peer, robot="turtlebot3", journal=path, max_angular=0.25):
+    path, file = tmp_path / "journal.jsonl", tmp_path / "robot.yaml"
+    file.write_text("name: mine\nlimits: {linear_velocity: {max: 0.22, over: clamp}}\ncapabilities: [move]\n")
+    with NodeProcess(peer, robot=file, journal=path):
         peer.meet()
         peer.say("go forward one meter")
         until(lambda: peer.goals("succeeded"))
         until(peer.come_to_rest)
         assert max(twist[0] for twist in peer.twists) <= 0.22
         peer.say("turn left ten degrees")
-        until(lambda: len(peer.goals("succeeded")) == 2)
-        until(lambda: peer.moved()[-1][1] and peer.standing())
-        assert max(twist[1] for twist in peer.twists) <= 0.25
+        until(lambda: peer.goals("rejected"))
+        assert peer.goals("rejected")[0]["detail"] == "this robot cannot turn"
     lines = [json.loads(line) for line in path.read_text().splitlines()]
     assert any(line.get("text") == "go forward one meter" for line in lines)
 

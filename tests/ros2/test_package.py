@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import tomllib
 import xml.etree.ElementTree as ET
 from importlib import import_module
@@ -32,7 +33,9 @@ def scripts(package):
 
 @pytest.fixture(scope="module")
 def parameters(package):
-    data = yaml.safe_load((package / "config/voice_commands.yaml").read_text())
+    """Those that a robot file may have too are comments, so that they do not go before it unseen."""
+    text = (package / "config/voice_commands.yaml").read_text()
+    data = yaml.safe_load(re.sub(r"^    # (\w+: )", r"    \1", text, flags=re.MULTILINE))
     return {name.rpartition("/")[2]: values["ros__parameters"] for name, values in data.items()}
 
 
@@ -96,6 +99,46 @@ def test_the_parameter_file_says_every_parameter_and_its_default(parameters, nam
         for each, value in parameters[name].items()
     }
     assert told == declared
+
+
+def test_nothing_in_the_parameter_file_goes_before_a_robot_file(package):
+    data = yaml.safe_load((package / "config/voice_commands.yaml").read_text())
+    shared = {"max_linear", "max_angular", "rate", "ttl", "expire_after"}
+    assert not shared & set(data["/**/intent_engine"]["ros__parameters"])
+
+
+@pytest.mark.ros2
+@pytest.mark.parametrize(
+    ("file", "asked", "found", "over"),
+    [
+        (None, None, 0.5, "clamp"),
+        (None, 1.5, 1.5, "clamp"),
+        ("limits: {linear_velocity: 0.22}", None, 0.22, "refuse"),
+        ("limits: {linear_velocity: 0.22}", 0.1, 0.1, "refuse"),
+        ("limits: {linear_velocity: 0.22}", 0.5, 0.22, "refuse"),  # nobody says by it that this robot can do more
+        ("limits: {distance: 3.0}", None, 0.5, "clamp"),
+    ],
+)
+def test_a_parameter_makes_the_limit_of_a_robot_file_less_and_never_more(tmp_path, file, asked, found, over):
+    import rclpy
+    from rclpy.parameter import Parameter
+
+    from intent_engine.ros2.parameters import read_parameters
+
+    context = rclpy.Context()
+    rclpy.init(args=[], context=context)
+    given = {"max_linear": asked} if asked is not None else {}
+    if file is not None:
+        given["robot"] = str(tmp_path / "robot.yaml")
+        (tmp_path / "robot.yaml").write_text(f"name: mine\n{file}\n")
+    overrides = [Parameter(name, value=value) for name, value in given.items()]
+    node = rclpy.create_node("intent_engine", context=context, parameter_overrides=overrides)
+    try:
+        limits = read_parameters(node).robot.limits
+    finally:
+        node.destroy_node()
+        rclpy.shutdown(context=context)
+    assert (limits.linear_velocity, limits.over_each.get("linear_velocity", limits.over)) == (found, over)
 
 
 @pytest.mark.ros2

@@ -51,6 +51,59 @@ def test_a_velocity_that_is_not_renewed_runs_out(peer, robot):
     assert len(peer.twists) == 5  # and then there is silence
 
 
+class Simulators:
+    """A clock that is moved by hand, however long that takes."""
+
+    def __init__(self) -> None:
+        self.time = 100.0
+
+    def now(self) -> float:
+        return self.time
+
+    def wait_until(self, condition, deadline) -> bool:
+        condition.wait(0.005)
+        return deadline is not None and self.time >= deadline
+
+
+def test_a_velocity_holds_as_long_as_the_clock_says(peer, monkeypatch):
+    """In a simulator that is ten times slower, the next one comes ten times later."""
+    from ros_stage import until
+
+    from intent_engine.execution.robots.ros2 import Ros2Robot
+
+    monkeypatch.setattr(Ros2Robot, "STANDS", math.inf)
+    clock = Simulators()
+    robot = Ros2Robot(cmd_vel=f"{peer.namespace}/cmd_vel", navigation="none", clock=clock)
+    try:
+        until(lambda: robot.listeners)
+        until(lambda: peer.node.count_publishers(f"{peer.namespace}/cmd_vel"))
+        robot.velocity(0.3, 0.0, 0.01)
+        until(peer.moving)
+        peer.silence(0.1)
+        assert peer.moving()
+        clock.time += 0.02
+        until(peer.standing)
+        monkeypatch.setattr(Ros2Robot, "STANDS", 0.05)
+        robot.velocity(0.3, 0.0, 30.0)
+        until(lambda: peer.twists[-2:] == [(0.3, 0.0), (0.0, 0.0)], "a clock that stands still stops it as well")
+    finally:
+        robot.close()
+
+
+def test_what_a_robot_cannot_do_is_refused(peer):
+    from intent_engine.actions import Turn
+    from intent_engine.execution.robots.ros2 import Ros2Robot
+
+    robot = Ros2Robot(cmd_vel=f"{peer.namespace}/cmd_vel", navigation="none", capabilities=["move", "navigate", "pick"])
+    try:
+        assert robot.capabilities == {"move"}
+        with Executor(robot, handle_sigterm=False) as executor:
+            (goal,) = executor.submit(Turn(1.0, 0.5, 2.0))
+        assert goal.reason == "capability"
+    finally:
+        robot.close()
+
+
 def test_what_is_no_number_never_leaves(peer, robot):
     for wrong in (math.nan, math.inf, -math.inf):
         with pytest.raises(RobotError, match="not numbers"):

@@ -62,6 +62,19 @@ def test_the_robot_stands_before_the_middleware_is_closed(peer, program, number,
     assert "no zero velocity" not in output
 
 
+@pytest.mark.parametrize("words", [["given"], ["own", "close"]], ids=" ".join)
+def test_the_robot_stands_when_the_terminal_is_closed(peer, program, words):
+    from ros_stage import until
+
+    process = program(*words)
+    process.send_signal(signal.SIGHUP)
+    output = process.communicate(timeout=60)[0]
+    until(peer.standing)
+    peer.silence()
+    assert peer.standing()
+    assert process.returncode == -signal.SIGHUP, output
+
+
 def test_a_signal_to_a_forked_child_is_the_childs_own(peer, program):
     from ros_stage import until
 

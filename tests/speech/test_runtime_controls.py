@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import sys
 import threading
 from collections.abc import Iterator
 
@@ -9,9 +11,10 @@ import numpy as np
 import pytest
 from speech_stage import ROOT, Frames, Says, Voiced, framed
 
-from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine import Executor, IntentEngine, Move, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import HeardKind
+from intent_engine.runtime import runtime as runtime_module
 from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, Frame
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.sources.stream import StreamSource
@@ -321,6 +324,57 @@ def test_it_hears_one_source_at_a_time(engine, go_forward):
         assert runtime.run(Frames(sound)).utterances == 1
         assert len(refused) == 1
         assert runtime.run(Frames(sound)).seconds > 0, "once it is over it may be called again"
+
+
+def interrupted_at(line: int, call) -> bool:
+    """Ctrl-C at the ``line``-th line of the runtime's module that ``call`` comes to; whether it came."""
+    lines = 0
+
+    def trace(frame, event, _):
+        nonlocal lines
+        if frame.f_code.co_filename != runtime_module.__file__:
+            return None
+        if event == "line":
+            lines += 1
+            if lines == line:
+                raise KeyboardInterrupt
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        call()
+    except KeyboardInterrupt:
+        return True
+    finally:
+        sys.settrace(before)
+    return False
+
+
+def test_an_interrupt_as_it_begins_stops_the_robot_and_leaves_it_able_to_listen(engine):
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+
+    class Source:
+        def frames(self) -> Iterator[Frame]:
+            sys.settrace(None)  # what comes later is not its beginning
+            return iter(())
+
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(engine, executor, Says("turn left"), voice=Voiced((0.5, 1.5)), noise_filter=None)
+        goes_on = 0
+        for line in itertools.count(1):
+            executor.submit(Move(0.5, 5.0, 10.0))
+            clock.advance(0.1)
+            assert robot.speed() == (0.5, 0.0)
+            if not interrupted_at(line, lambda: runtime.run(Source())):
+                break
+            if robot.speed() == (0.5, 0.0):
+                assert line == goes_on + 1, "nothing but what comes before anything is taken"
+                goes_on = line
+            assert runtime.run(Frames([])).utterances == 0
+            executor.stop()
+        assert 0 < goes_on < 8 < line
 
 
 def keyed(engine, said: list[str], voiced, downs, sound: np.ndarray):

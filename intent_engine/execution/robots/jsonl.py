@@ -159,15 +159,19 @@ class JsonLinesRobot:
 
     def _write(self, message: dict[str, Any]) -> None:
         line = (json.dumps({**message, "time": round(time.monotonic(), 6)}) + "\n").encode()
+        if len(line) > select.PIPE_BUF:
+            # It would go out in pieces. Between two of them the guardian's process may write, or the reader stall: the
+            # stop that comes next would stand in the midst of a line that nobody can read.
+            raise RobotError(f"a line of {len(line)} bytes is too long; {select.PIPE_BUF} are written whole")
         if not self._lock.acquire(timeout=self.PATIENCE):
             raise RobotError(_STALLED)  # who holds it finds out whether that is so
         try:
             end = time.monotonic() + (0.0 if self._lost else self.PATIENCE)
             while line:
-                # What is writable takes a short line whole, without waiting.
+                # What is writable takes a line of this length whole, without waiting.
                 if not select.select([], [self._out], [], max(end - time.monotonic(), 0.0))[1]:
                     raise BlockingIOError
-                line = line[os.write(self._out, line[: select.PIPE_BUF]) :]
+                line = line[os.write(self._out, line) :]
             self._lost = ""
         except BlockingIOError:
             self._lost = _STALLED

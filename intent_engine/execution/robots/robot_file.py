@@ -134,7 +134,7 @@ def load_robot(path: str | os.PathLike[str]) -> RobotFile:
 
     for where in source.marks:
         value = _at(data, where)
-        if isinstance(value, float) and not math.isfinite(value):
+        if type(value) in (int, float) and not _finite(value):
             problem(tuple(str(part) for part in where), f"{where[-1]!r} must be a finite number", "leave it out")
     turning = data.get("limits", {}).get("angular_velocity")
     fastest = turning["max"] if isinstance(turning, Mapping) else turning
@@ -180,6 +180,14 @@ def _limits(data: Mapping[str, Any]) -> Limits:
         else:
             values[name] = float(value)
     return Limits(over=OverLimit(data.get("over", OverLimit.REFUSE)), over_each=over, **values)
+
+
+def _finite(value: float) -> bool:
+    """Whether it can be reckoned with: a whole number in YAML may have any number of digits."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
 
 
 def _at(data: Any, path: tuple[str | int, ...]) -> Any:

@@ -15,11 +15,14 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import math
 import threading
 import time
+from collections.abc import Iterable
 from typing import Any
 
 from intent_engine.errors import RobotError
+from intent_engine.execution.clock import Clock, MonotonicClock
 from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.execution.robots.ros2_navigation import NavigationAction, NavigationWay, Ros2Navigation
@@ -52,6 +55,9 @@ class Ros2Robot:
         goal_pose: topic of goals, where the action is not used.
         pose: topic of the robot's pose (``geometry_msgs/PoseWithCovarianceStamped``), as AMCL and others give it.
         action: type of the action, if it is not Nav2's.
+        capabilities: what of that which ``cmd_vel`` and the navigation can do this robot can; None: all.
+        clock: in whose s a velocity is valid; None: the machine's. In a simulation, the simulator's: one that runs ten
+            times slower has ten times as long between two velocities.
 
     Raises:
         RobotError: no ROS 2 in this Python, or no nav2_msgs where they are asked for.
@@ -59,6 +65,9 @@ class Ros2Robot:
 
     ZEROS = 3
     """How many zeros :meth:`close` sends."""
+    STANDS = 1.0
+    """s of the machine in which a simulator's time does not go on, after which no velocity is valid any more: perhaps
+    it is only ``/clock`` that does not come."""
 
     def __init__(
         self,
@@ -72,8 +81,13 @@ class Ros2Robot:
         goal_pose: str = "goal_pose",
         pose: str = "amcl_pose",
         action: NavigationAction | None = None,
+        capabilities: Iterable[Capability | str] | None = None,
+        clock: Clock | None = None,
     ) -> None:
         import_rclpy()
+        given = tuple(Capability) if capabilities is None else capabilities
+        self._given_capabilities = frozenset(Capability(name) for name in given)
+        self._clock = clock or MonotonicClock()
         self._own: _OwnNode | None = None
         if node is None:
             self._own = _OwnNode("intent_engine_robot")
@@ -88,7 +102,7 @@ class Ros2Robot:
         self._lock = threading.RLock()
         self._renewed = threading.Condition(self._lock)
         self._valid_until: float | None = None
-        """s, monotonic; None: nothing but zero was written."""
+        """s, by the clock; None: nothing but zero was written."""
         self._closed = False
         self._ends = False
         """The process was told to end: nothing is begun any more."""
@@ -99,7 +113,8 @@ class Ros2Robot:
     @property
     def capabilities(self) -> frozenset[Capability]:
         drives = {Capability.MOVE, Capability.TURN}
-        return frozenset(drives | {Capability.NAVIGATE} if self.navigation is not None else drives)
+        able = drives | {Capability.NAVIGATE} if self.navigation is not None else drives
+        return self._given_capabilities & able
 
     @property
     def topic(self) -> str:
@@ -129,7 +144,7 @@ class Ros2Robot:
             if not (linear or angular):
                 self._valid_until = None
                 return
-            before, self._valid_until = self._valid_until, time.monotonic() + valid_for
+            before, self._valid_until = self._valid_until, self._clock.now() + valid_for
             if before is None or before > self._valid_until:
                 self._renewed.notify()
 
@@ -203,12 +218,14 @@ class Ros2Robot:
         self.node.create_subscription(PoseWithCovarianceStamped, topic, heard, newest)
 
     def _watch(self) -> None:
+        seen, since = -math.inf, 0.0
         with self._renewed:
             while not self._closed:
-                until = self._valid_until
-                left = None if until is None else until - time.monotonic()
-                if left is None or left > 0:
-                    self._renewed.wait(left)
+                until, now, here = self._valid_until, self._clock.now(), time.monotonic()
+                if until is None or now != seen:
+                    seen, since = now, here
+                if until is None or (now < until and here - since < self.STANDS):
+                    self._clock.wait_until(self._renewed, until)
                     continue
                 self._valid_until = None
                 try:

@@ -1,4 +1,5 @@
-"""Ctrl-C and SIGTERM in a program of the user's that has rclpy's signal handlers: the robot stands before they act.
+"""Ctrl-C, SIGTERM and the end of the terminal in a program of the user's that has rclpy's signal handlers: the robot
+stands before they act.
 
 ``rclpy.init()`` installs handlers that close *every* context of the process at once, ours too, and from then on no zero
 velocity can be sent and no navigation cancelled. They are C, and act while the main thread waits in ``rclpy.spin``,
@@ -46,6 +47,8 @@ def stand_before_the_end(robot: _Robot, context: Any = None) -> None:
     numbers = [number for number, kind in kinds.items() if options in (kind, SignalHandlerOptions.ALL)]
     if _taken is not None or not numbers:
         return
+    if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_DFL:
+        numbers.append(signal.SIGHUP)  # which rclpy leaves alone, and would end the program at once
     if threading.current_thread() is threading.main_thread():
         _taken = _Taken(numbers)
     else:
@@ -96,6 +99,9 @@ class _Taken:
         before = self._before[number]
         if callable(before):
             before(number, frame)  # Ctrl-C is a KeyboardInterrupt
+        elif number == getattr(signal, "SIGHUP", None):  # of the others rclpy's handler has been made good
+            signal.signal(number, signal.SIG_DFL)
+            os.kill(os.getpid(), number)
 
 
 _robots: weakref.WeakKeyDictionary[_Robot, Any] = weakref.WeakKeyDictionary()

@@ -38,6 +38,7 @@ _WORDS = {
     "integer": "a whole number",
     "number": "a number",
     "boolean": "true or false",
+    "null": "nothing",
 }
 _SLIP = 70
 """Percent of the letters that a misspelt key has of the one that was meant; "small" has as many as 60 of "allow"."""
