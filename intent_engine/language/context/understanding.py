@@ -12,10 +12,12 @@ from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import goes_on_from
+from intent_engine.language.context.named_before import named_before
 from intent_engine.language.context.references import Before, resolve
 from intent_engine.language.context.said_instead import said_instead
 from intent_engine.language.grammar import FREE_KINDS, Operators
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -37,6 +39,8 @@ class Parses(Protocol):
     def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
 
     def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None: ...
+
+    def named_before(self, text: str, before: str, state: Collection[str] = ()) -> list[NameSaid]: ...
 
 
 _Parser = TypeVar("_Parser", bound=Parses)
@@ -107,6 +111,8 @@ class Understanding(Generic[_Parser]):
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if done and not does and MOVING not in self._state and (instead := self._instead(text, done)) is not None:
             return instead
+        if done and not does and (named := self._named_before(text, done, found)) is not None:
+            found, parser = named
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
         if self._by_voice and Cause.NO_COMMAND in found.causes:
@@ -132,6 +138,15 @@ class Understanding(Generic[_Parser]):
             meaning = partial(parser.interpret, state=self._state)
             if (instead := said_instead(text, done, self._before or (), meaning, listed)) is not None:
                 return instead, parser
+        return None
+
+    def _named_before(self, text: str, done: str, found: Interpretation) -> tuple[Interpretation, _Parser] | None:
+        """What one means with a name in the place of its pronoun, and the parser that says so; None: nothing."""
+        for parser in self._parsers:
+            meaning = partial(parser.interpret, state=self._state, spoken=self._spoken, heard=self._by_voice)
+            names = parser.named_before(text, done, self._state)
+            if names and (meant := named_before(text, found, names, meaning)) is not None:
+                return meant, parser
         return None
 
     def _typed_behind(self, text: str, openers: Callable[[Operators], Iterable[tuple[str, ...]]]) -> Iterator[_Parser]:

@@ -23,7 +23,7 @@ from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
-from intent_engine.language.meaning.wordings.pronouns import NamesListed
+from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
@@ -255,6 +255,10 @@ class WrittenOtherwise:
         "close the first valve and open the second"."""
         named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
         return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
+
+    def named_before(self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]]) -> list[NameSaid]:
+        """What the commands of an earlier utterance named for which the pronoun of a text may stand."""
+        return self._named.before(text, core, before)
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
