@@ -106,9 +106,7 @@ class Interpreter:
         core = self.phrases.without_fillers(self._said(text))
         if not self._negations.stands_in(core):
             return ()
-        _, parts = self.understand(before, state)
-        done = [list(part.reading.words) for part in parts if part.reading is not None and part.accepted]
-        return self._negations.denied_part(core, [Utterance.in_one_breath(one) for one in done], state)
+        return self._negations.denied_part(core, self.understand(before, state)[1], state)
 
     def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None:
         """The stop of a robot that moves, at a "no" with more behind it ("no, the lab", after "go to the kitchen");

@@ -97,6 +97,21 @@ def test_nothing_to_point_at_does_nothing(engine: IntentEngine, text: str, last:
     assert found.reason
 
 
+@pytest.mark.parametrize(
+    ("before", "text", "meant"),
+    [
+        ("look at the ball", "go to the kitchen and look at it", ""),
+        ("go to the bedroom", "look at the ball, go to the kitchen and look at it", ""),
+        ("look at the ball", "go to the kitchen and pick it up", "go to the kitchen and pick up the ball"),
+        ("pick up the ball", "go to the kitchen and look at it", "go to the kitchen and look at the ball"),
+        ("go to the kitchen", "look at the ball and look at it", "look at the ball and look at the ball"),
+    ],
+)
+def test_it_may_be_the_place_where_it_is_said_to_go(engine: IntentEngine, before: str, text: str, meant: str) -> None:
+    """Unless it is held, or no place can be meant."""
+    assert engine.parse(text, last=engine.parse(before)).actions == (engine.parse(meant, last=()).actions)
+
+
 def test_the_command_before_in_the_same_breath(engine: IntentEngine) -> None:
     found = engine.parse("pick up the red cup and put it on the table")
     assert found.actions == (Pick("red cup"), Place("red cup", "table"))

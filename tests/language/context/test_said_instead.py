@@ -55,6 +55,14 @@ def test_it_is_done_and_what_was_said_is_denied(own, before, text, instead):
     assert found.denied == first.actions
 
 
+@pytest.mark.parametrize("text", ["no, the heater", "I mean the heater"])
+def test_of_what_was_added_alone_another_takes_the_place(own, text):
+    added = own.parse("and the fan", last=own.parse("turn on the lamp"))
+    found = own.parse(text, last=added)
+    assert (done(found), found.denied) == ([("light", {"device": "heater"})], added.actions)
+    assert (found.intent, found.slots) == ("light", {"device": "heater"})
+
+
 @given(st.lists(st.sampled_from(DEVICES), min_size=2, max_size=5))
 def test_each_takes_the_place_of_the_one_before(own, devices):
     last = own.parse(f"turn on the {devices[0]}")

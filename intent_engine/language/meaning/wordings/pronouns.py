@@ -1,7 +1,8 @@
 """What "it", "them" and "that one" stand for: something that was named before them.
 
 Free words hold a pronoun as they hold any name, so it is put in when their action is known: what was named *last*, in
-the same utterance or the one before. One for several is refused where more than one thing was named. A slot that lists
+the same utterance or the one before. One for several is refused where more than one thing was named, and so is one for
+what may be a place that was named later, in the same utterance, unless the thing is held. A slot that lists
 its names, or has them from a map, holds no pronoun: there the name is put in before the utterance is understood, the
 *only one* that fits of those that were said in it; where none or several fit, it is no command. So is the name of a
 thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and no article ("das"); a whole
@@ -18,7 +19,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from intent_engine.actions import Action, Custom, Pick, Place
+from intent_engine.actions import Action, Custom, Navigate, Pick, Place
 from intent_engine.language.context.answers import with_name
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.loading.language_words import default_another
@@ -56,14 +57,19 @@ class ThingsNamed:
         self._qualities, self._stand_ins = known.qualities, grammar.wording.standing_for
         self._bound = known.joining | known.binding | known.within
         self._named: list[str] = []
+        self._held = False
         for action in done:
             self.add(action)
+        self._place = ""  # of the utterance before "it" is none: what it says is put in by its text
 
     def add(self, action: Action) -> None:
         """An action that is done next, after :meth:`put_in`."""
         thing = next(filter(None, _named(action, self._things).values()), None)
         if isinstance(thing, str) and thing not in self._pronouns:
             self._named.append(thing)
+            self._held, self._place = isinstance(action, Pick), ""
+        elif isinstance(action, Navigate):
+            self._place = action.location
 
     def put_in(self, action: Action) -> Action | str:
         """An action with the thing that it points back to, or why it is not clear which; the same object if it points
@@ -75,6 +81,8 @@ class ThingsNamed:
             return action if all(said[key] == value for key, value in full.items()) else _naming(action, full)
         if len(named := dict.fromkeys(self._named)) > 1 and not self._several.isdisjoint(said.values()):
             return f"more than one thing was named: {', '.join(named)}; say what to do with each"
+        if self._place and not self._held and isinstance(action, Custom) and self._several.isdisjoint(said.values()):
+            return f"it may be the {self._place} or the {self._named[-1]}; say which"
         return _naming(action, dict.fromkeys(pointing, self._named[-1]))
 
     def _with_noun(self, thing: str) -> str:

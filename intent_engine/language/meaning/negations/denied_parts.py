@@ -1,0 +1,63 @@
+"""What is not to be done by a part of it: "not the kitchen", after "go to the kitchen"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from intent_engine.actions import Action
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["DeniedParts"]
+
+
+class DeniedParts:
+    """What is named takes the place of its like in a command, and makes the one that shall not be done."""
+
+    def __init__(self, commands: Commands, corrections: Corrections) -> None:
+        self._commands = commands
+        self._corrections = corrections
+        self._definite = thing_words(commands.matcher.grammar.language).definite
+
+    def denied(self, clause: Clause, named: Utterance, state: Collection[str]) -> Action | None:
+        """What is denied of a command that was understood by naming a part of it; None: nothing."""
+        if clause.reading is None or not clause.accepted:
+            return None
+        said = Utterance.in_one_breath(list(clause.reading.words))
+        for one in self._ways_to_name(named):
+            if self._goes_on_as(clause, one, state):
+                return clause.action
+            if (action := self.with_part(said, one, state)) is not None:
+                return action
+        for at in range(1, len(named)):  # "not left right", as it is heard without its pause
+            shorter, instead = named.part(0, at), named.part(at, len(named))
+            if self._corrections.instead(said, instead, state) is None:
+                continue
+            if (action := self.with_part(said, shorter, state)) is not None:
+                return action
+        return None
+
+    def _ways_to_name(self, named: Utterance) -> Iterator[Utterance]:
+        """A name as it was said, and without the article with which it is told of again: "order a tea", "not *the*
+        tea"."""
+        yield named
+        if len(named) > 1 and named.words[0] in self._definite:
+            yield named.part(1, len(named))
+
+    def _goes_on_as(self, clause: Clause, named: Utterance, state: Collection[str]) -> bool:
+        """Whether a command goes on from another in just these words: "the plate", of "pick up the cup and the
+        plate"."""
+        if clause.reading is None or clause.reading.sentence not in clause.reading.intent.then:
+            return False
+        again = self._commands.exact(named.words, state, clause.reading.intent.name)
+        return again is not None and again.action == clause.action
+
+    def with_part(self, said: Utterance, named: Utterance, state: Collection[str]) -> Action | None:
+        """A command that was done, with what is named in the place of its like; None: there is no like of it."""
+        denied = said if self._corrections.is_said(said, named, state) else None
+        denied = denied or self._corrections.instead(said, named, state)
+        clause = self._commands.exact(denied.words, state) if denied is not None else None
+        return clause.action if clause is not None else None
