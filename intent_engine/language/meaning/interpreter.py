@@ -270,6 +270,10 @@ class Interpreter:
     ) -> Understood:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
+        if 0 < (ends := self.phrases.in_its_place.ends(words)) < len(words):
+            found, told = self._operated(text, said, core.part(0, len(words) - ends), state, clause)
+            if len(found.actions) == 1 or found.denied:
+                return found, told  # "turn left, turn right instead" may be both, or one
         takes_back = self._corrections.may_stand_in(words) or self.phrases.cancel.may_stand_in(words)
         if takes_back and self._stops.in_protest(core, state):
             return self._stopped(text)

@@ -63,6 +63,7 @@ class Phrases:
         self.correction = PhraseSet(operators.correction)
         self.correcting = next(iter(operators.correction), ())
         """One of them, for what corrects in other words: "wrong way, the lab"."""
+        self.in_its_place = PhraseSet(wording.in_its_place)
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)

@@ -44,6 +44,8 @@ def done(found: Interpretation) -> list[tuple[str, dict[str, object]]]:
         ("turn on the lamp", "I mean the heater", ("light", {"device": "heater"})),
         ("turn on the lamp", "sorry, the fan", ("light", {"device": "fan"})),
         ("turn on the lamp", "no, off", ("quench", {"device": "lamp"})),
+        ("turn on the lamp", "no, the fan instead", ("light", {"device": "fan"})),
+        ("turn on the lamp", "the fan instead.", ("light", {"device": "fan"})),
         ("dim the lamp to 20 percent", "no, thirty", ("dim", {"device": "lamp", "level": 0.3})),
         ("dim the lamp to 20 percent", "no, the fan", ("dim", {"device": "fan", "level": 0.2})),
     ],
@@ -82,6 +84,9 @@ def test_each_takes_the_place_of_the_one_before(own, devices):
         ("turn on the lamp", "no, the lamp"),
         ("turn on the lamp", "no, the weather"),
         ("turn on the lamp", "the heater"),
+        ("turn on the lamp", "no, the heater?"),
+        ("turn on the lamp", "the weather instead"),
+        ("turn on the lamp", "instead"),
         ("turn on the lamp and the fan", "no, the heater"),
         ("say hello", "no, it was late"),
         ("say hello", "sorry, my bad"),
@@ -108,6 +113,7 @@ def test_a_robot_that_has_arrived_goes_on_and_one_that_moves_stops():
     there = engine.parse("no, the bedroom", last=first)
     assert [action.location for action in there.actions if isinstance(action, Navigate)] == ["bedroom"]
     assert engine.parse("no, the bedroom", last=first, state=["moving"]).stops
+    assert engine.parse("the bedroom instead", last=first, state=["moving"]).stops
 
 
 def test_a_drive_that_was_driven_cannot_be_another():
