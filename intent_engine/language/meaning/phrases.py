@@ -308,8 +308,10 @@ class Phrases:
 
     def only_objects(self, said: Utterance, core: Utterance) -> bool:
         """Whether nothing is said but that what goes on is not meant: "no", "no, that's wrong". "No, thanks" is said to
-        somebody who offers something. ``core`` is what was said without its fillers."""
-        objects = self.objection.find(core.words) is not None and self._objecting.cover(core.words)
+        somebody who offers something. ``core`` is what was said without its fillers, of which some are a part of an
+        objection: "not *so* far"."""
+        ways = (core.words, said.words)
+        objects = any(self.objection.find(words) is not None and self._objecting.cover(words) for words in ways)
         return objects and not self.thanks(said)
 
     def thanks(self, said: Utterance) -> bool:
