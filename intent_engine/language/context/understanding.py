@@ -109,7 +109,7 @@ class Understanding(Generic[_Parser]):
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if done and not does and MOVING not in self._state and (instead := self._instead(text, done)) is not None:
             return instead
-        if done and not does and (named := self._named_before(text, done, found)) is not None:
+        if done and not (does or found.denied) and (named := self._named_before(text, done, found)) is not None:
             found, parser = named
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
@@ -125,7 +125,7 @@ class Understanding(Generic[_Parser]):
             grammar = parser.matcher.grammar
             more = as_joined(text, grammar.operators.sequence, grammar.wording.besides, grammar.language)
             parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
-            meaning = partial(parser.interpret, state=self._state)
+            meaning = partial(self._resolved, parser)
             if more and (found := goes_on_from(more, done, self._before or (), meaning, parted)) is not None:
                 return found, parser
         return None
@@ -136,10 +136,15 @@ class Understanding(Generic[_Parser]):
             grammar = parser.matcher.grammar
             other = as_joined(text, grammar.operators.correction, grammar.wording.in_its_place, grammar.language)
             listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
-            meaning = partial(parser.interpret, state=self._state)
+            meaning = partial(self._resolved, parser)
             if other and (found := said_instead(other, done, self._before or (), meaning, listed)) is not None:
                 return found, parser
         return None
+
+    def _resolved(self, parser: _Parser, text: str) -> Interpretation:
+        """What a text means, with what it points back to; what was said before may point back itself."""
+        found = parser.interpret(text, self._state)
+        return resolve(found, self._before, parser.matcher.grammar, self._needs, self._state)
 
     def _objection(self, text: str, done: str, parser: _Parser) -> Interpretation | None:
         """The stop of a robot that moves, where something else is said than what it does; None: it is not."""

@@ -65,6 +65,21 @@ def test_of_what_was_added_alone_another_takes_the_place(own, text):
     assert (found.intent, found.slots) == ("light", {"device": "heater"})
 
 
+def test_what_was_said_with_a_pronoun_is_corrected(engine_of):
+    library = engine_of("""
+language: en
+slots: {book: {type: object}, shelf: {type: number, min: 1, max: 80, whole: true}}
+intents:
+  fetch: {action: {type: pick, object: "{book}"}, sentences: ["fetch {book}"]}
+  shelve: {action: custom, sentences: ["put {book} on shelf {shelf}"]}
+""")
+    fetched = library.parse("fetch the atlas")
+    shelved = library.parse("put it on shelf 14", last=fetched)
+    found = library.parse("no, shelf 15", last=shelved)
+    assert done(found) == [("shelve", {"book": "atlas", "shelf": 15})]
+    assert found.denied == shelved.actions
+
+
 @given(st.lists(st.sampled_from(DEVICES), min_size=2, max_size=5))
 def test_each_takes_the_place_of_the_one_before(own, devices):
     last = own.parse(f"turn on the {devices[0]}")

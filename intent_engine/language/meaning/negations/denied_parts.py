@@ -8,6 +8,7 @@ from intent_engine.actions import Action
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -20,13 +21,17 @@ class DeniedParts:
     def __init__(self, commands: Commands, corrections: Corrections) -> None:
         self._commands = commands
         self._corrections = corrections
-        self._definite = thing_words(commands.matcher.grammar.language).definite
+        grammar = commands.matcher.grammar
+        known = thing_words(grammar.language)
+        self._articles, self._definite, self._stand_ins = known.articles, known.definite, grammar.wording.standing_for
 
     def denied(self, clause: Clause, named: Utterance, state: Collection[str]) -> Action | None:
         """What is denied of a command that was understood by naming a part of it; None: nothing."""
         if clause.reading is None or not clause.accepted:
             return None
         said = Utterance.in_one_breath(list(clause.reading.words))
+        if self._is_told_of(clause.reading, named):
+            return clause.action
         for one in self._ways_to_name(named):
             if self._goes_on_as(clause, one, state):
                 return clause.action
@@ -46,6 +51,15 @@ class DeniedParts:
         yield named
         if len(named) > 1 and named.words[0] in self._definite:
             yield named.part(1, len(named))
+
+    def _is_told_of(self, reading: Reading, named: Utterance) -> bool:
+        """Whether what is named is just what a slot of a command holds, or tells which that is: "the table" of "put it
+        on the table", and "the red one" of "take the red cup"."""
+        words = [word for word in named.words if word not in self._articles]
+        which = words[:-1] if words and words[-1] in self._stand_ins else []
+        held = [reading.words[slot.start : slot.end] for slot in reading.slots]
+        bare = [[word for word in some if word not in self._articles] for some in held]
+        return bool(words) and (words in bare or (bool(which) and any(set(which) <= set(some[:-1]) for some in bare)))
 
     def _goes_on_as(self, clause: Clause, named: Utterance, state: Collection[str]) -> bool:
         """Whether a command goes on from another in just these words: "the plate", of "pick up the cup and the

@@ -232,9 +232,7 @@ class SharedVerb:
         sentences = (words_in(one.template) for one in reading.intent.sentences)
         return any(verb in words and not self._joints.isdisjoint(words) for words in map(set, sentences))
 
-    def _asked(
-        self, said: Sequence[_Said], part: Utterance, state: Collection[str], *, in_turn: bool
-    ) -> Clause | None:
+    def _asked(self, said: Sequence[_Said], part: Utterance, state: Collection[str], *, in_turn: bool) -> Clause | None:
         """The clause that asks what is of which; None: it is clear. What is said to be done ``in_turn``, "left, then
         right", is no one thing and not done together."""
         one, last = said[0], said[-1]

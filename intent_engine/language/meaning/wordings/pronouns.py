@@ -85,6 +85,17 @@ class ThingsNamed:
             return f"it may be the {self._place} or the {self._named[-1]}; say which"
         return _naming(action, dict.fromkeys(pointing, self._named[-1]))
 
+    def denied(self, action: Action) -> Iterator[Action]:
+        """What shall not be done, with each thing that it may point back to: of "don't take it" nobody waits to hear
+        which. The action itself, if it points to none."""
+        said = _named(action, self._things)
+        pointing = [key for key, value in said.items() if value in self._pronouns]
+        if not (pointing and self._named):
+            meant = self.put_in(action)
+            yield action if isinstance(meant, str) else meant
+        else:
+            yield from (_naming(action, dict.fromkeys(pointing, name)) for name in dict.fromkeys(self._named))
+
     def _with_noun(self, thing: str) -> str:
         """A thing of which only was said which it is, with the noun of the one before: "the red cup and the blue one",
         and where that was told by such a word as well, "die rote Tasse und die blaue"."""
