@@ -117,3 +117,35 @@ def test_what_was_added_is_denied_and_what_was_told_of_with_another_article(kios
     found = kiosk.parse(said, last=last)
     assert found.denied == (kiosk.parse(denied).actions if denied else ())
     assert not found.actions
+
+
+@pytest.mark.parametrize(
+    ("done", "said", "denied"),
+    [
+        ("order a tea", "don't order it", "order a tea"),
+        ("order a tea", "no, never order that", "order a tea"),
+        ("order a tea and a latte", "don't order them", "order a tea and a latte"),
+        ("clean the grinder", "don't clean it", "clean the grinder"),
+        ("clean the grinder", "don't order it", ""),
+        ("clean the grinder", "don't clean it up so often", ""),
+        ("clean the grinder", "don't worry", ""),
+    ],
+)
+def test_what_was_told_is_denied_by_its_verb(kiosk, done, said, denied):
+    found = kiosk.parse(said, last=kiosk.parse(done))
+    assert found.denied == (kiosk.parse(denied).actions if denied else ())
+    assert not found.actions
+
+
+@pytest.mark.parametrize(
+    ("language", "done", "said"),
+    [("de", "nimm {}", "nimm sie nicht"), ("fr", "prends {}", "ne la prends pas"), ("es", "toma {}", "no la tomes")],
+)
+def test_it_is_in_other_languages(engine_of, language, done, said):
+    engine = engine_of(f"""
+language: {language}
+slots: {{thing: {{type: object, max_words: 2}}}}
+intents: {{take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["{done.format("{thing}")}"]}}}}
+""")
+    last = engine.parse(done.format({"de": "die Tasse", "fr": "la tasse", "es": "la taza"}[language]))
+    assert engine.parse(said, last=last).denied == last.actions != ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from intent_engine.actions import Action
 from intent_engine.language.meaning.clause import Clause
@@ -11,6 +11,7 @@ from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.verb_forms import verbs_told
 
 __all__ = ["DeniedParts"]
 
@@ -44,6 +45,25 @@ class DeniedParts:
             if (action := self.with_part(said, shorter, state)) is not None:
                 return action
         return None
+
+    def by_verb(self, words: Sequence[str], done: Sequence[Clause]) -> tuple[Action, ...]:
+        """What is denied by the verb with which it was told, and no more than a pronoun for all the rest: "don't bring
+        it", after "bring me the cup". ``words`` are those beside the negation."""
+        grammar = self._commands.matcher.grammar
+        beside = {*grammar.wording.denying, *(word for words in grammar.operators.pronoun for word in words)}
+        rest = [word for word in words if word not in beside]
+        if len(rest) != 1 or rest[0] in self._commands.not_verbs:
+            return ()
+        verbs = {rest[0], *(verb for _, verb in verbs_told(rest, grammar))}
+        denied: list[Action] = []
+        told = False
+        for reading, action in ((clause.reading, clause.action) for clause in done):
+            if reading is None or action is None:
+                continue
+            if reading.sentence not in reading.intent.then:  # else it has the verb of the one before
+                told = reading.words[0] in verbs
+            denied += [action] if told else []
+        return tuple(denied)
 
     def _ways_to_name(self, named: Utterance) -> Iterator[Utterance]:
         """A name as it was said, and without the article with which it is told of again: "order a tea", "not *the*

@@ -143,7 +143,7 @@ class Negations:
         """What an utterance says not to do by naming a part of it: "not the kitchen", after "go to the kitchen".
 
         What is named takes the place of its like in a command that was done, and makes the one that shall not be; words
-        that any would do in place of name nothing.
+        that any would do in place of name nothing. So does the verb of a command: "don't bring it".
 
         Args:
             core: what was said.
@@ -153,17 +153,22 @@ class Negations:
         for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
             part = core.part(begin, len(core))
             found = self._first(part)
-            if found is None or tuple(part.words[: found[0]]) not in self._before:
+            if found is None:
                 continue
-            start = found[0] + found[1]
+            start, before = found[0] + found[1], part.words[: found[0]]
+            first = tuple(before) in self._before
+            if denied := self._parts.by_verb([*(() if first else before), *part.words[start:]], done):
+                return denied
+            if not first:
+                continue
             ends = (
                 at for at in range(start + 1, len(part)) if part.breaks[at] or self._phrases.contrast.at(part.words, at)
             )
             named = part.part(start, next(ends, len(part)))
             if not named.words or self._negation.find(named.words) is not None:
                 continue
-            denied = (self._parts.denied(clause, named, state) for clause in done)
-            if (action := next((one for one in denied if one is not None), None)) is not None:
+            parts = (self._parts.denied(clause, named, state) for clause in done)
+            if (action := next((one for one in parts if one is not None), None)) is not None:
                 return (action,)
         return ()
 

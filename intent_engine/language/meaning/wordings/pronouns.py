@@ -170,6 +170,7 @@ class NamesListed:
         self._no_noun = known.joining | known.binding | known.within | known.articles | known.alone | known.scales
         self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
         self._sequence = sequence
+        self._things = things_of(grammar)
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with the name that it points back to: "fly to tank 2 and photograph it"; None: it
@@ -205,10 +206,20 @@ class NamesListed:
         if found is None or self._pronouns.find(core.words, sum(found)) is not None:
             return []
         pronoun = core.words[found[0] : sum(found)]
-        names = self._names(core, before())
+        done = before()
+        names = [*self._names(core, done), *self._held(core, done)]
         return [
             replace(one, ways=[with_name(text, pronoun, " ".join(way)).split() for way in one.ways]) for one in names
         ]
+
+    def _held(self, core: Utterance, before: Sequence[Clause]) -> Iterator[NameSaid]:
+        """The things that free words name, for a command that takes their name and not the pronoun: "nimm sie"."""
+        one = self._several.isdisjoint(core.words)
+        for reading in (part.reading for part in before if part.reading is not None):
+            for slot in reading.slots:
+                words = reading.words[slot.start : slot.end]
+                if slot.slot.name in self._things and not self._pronouns.cover(words):
+                    yield NameSaid([words], one or self._are_several(reading, slot.start, slot.end))
 
     def _names(self, core: Utterance, before: Sequence[Clause]) -> list[NameSaid]:
         """What commands name that a pronoun may stand for."""
