@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from intent_engine.actions import Action
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation, Question, Status
 from intent_engine.language.meaning.wordings.pronouns import NameSaid
 
 __all__ = ["named_before"]
@@ -25,7 +25,8 @@ def named_before(
     meaning: Callable[[str], Interpretation],
 ) -> Interpretation | None:
     """What a text with a pronoun means, where only one of the things named before fits; its ``text`` has the name. Of
-    several, all are denied of which it says that they shall not be done. None: it is not clear, or nothing fits.
+    several it is asked which, or all are denied of which it says that they shall not be done. None: nothing fits, or
+    what may not be meant does.
 
     Args:
         text: what was said.
@@ -46,10 +47,21 @@ def named_before(
         denied.update(dict.fromkeys(way.denied))
     if denied and not fits:
         return replace(found, denied=tuple(denied))
-    if len(fits) != 1 or not clear:
+    if not fits or not clear:
         return None
+    if len(fits) > 1:
+        return _which(text, found, [one.text for one in fits.values()])
     (meant,) = fits.values()
     if meant.status is not Status.ACCEPTED:
         return None
     reason = "; ".join(filter(None, (f"heard {text!r} as {meant.text!r}", meant.reason)))
     return replace(meant, reason=reason)
+
+
+def _which(text: str, found: Interpretation, meanings: Sequence[str]) -> Interpretation:
+    """The question which of several things is meant."""
+    reason = f"{text!r} may be {' or '.join(map(repr, meanings))}; say which"
+    alternatives = tuple(meanings)
+    return replace(
+        found, status=Status.AMBIGUOUS, reason=reason, alternatives=alternatives, question=Question(alternatives)
+    )

@@ -8,7 +8,7 @@ import pytest
 
 from intent_engine.actions import Custom, Stop
 from intent_engine.engine import IntentEngine
-from intent_engine.interpretation import Interpretation
+from intent_engine.interpretation import Interpretation, Status
 
 GRAMMAR = """
 language: en
@@ -85,6 +85,22 @@ def test_nothing_is_done_where_nobody_knows_or_it_is_talk(engine: IntentEngine, 
     first = engine.parse(before, last=())
     assert first.actions
     assert not engine.parse(text, last=first).actions
+
+
+@pytest.mark.parametrize(
+    ("before", "text", "answer", "meant"),
+    [
+        ("turn on the pump and the siren", "turn it off", "the siren", "turn the siren off"),
+        ("open the front hatch, then open the side hatch", "close it", "the second one", "close the side hatch"),
+        ("open the front hatch, then open the side hatch", "close it", "neither", ""),
+    ],
+)
+def test_of_several_it_is_asked_which(engine: IntentEngine, before: str, text: str, answer: str, meant: str) -> None:
+    asked = engine.parse(text, last=engine.parse(before))
+    assert asked.status is Status.AMBIGUOUS
+    assert not asked.actions
+    assert len(asked.alternatives) == 2
+    assert engine.parse(answer, last=asked).actions == (engine.parse(meant).actions if meant else ())
 
 
 @pytest.mark.parametrize(
