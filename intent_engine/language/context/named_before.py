@@ -39,7 +39,8 @@ def named_before(
     clear = True
     for name in names:
         means = (meaning(" ".join(way)) for way in name.ways if way)
-        if (way := next((one for one in means if one.actions or one.denied), None)) is None:
+        way = next((one for one in means if one.actions or one.denied), None)
+        if way is None or (way.actions and found.refuses):
             continue
         clear = clear and name.is_meant
         if way.actions:

@@ -12,8 +12,11 @@ from typing import Any
 
 from intent_engine.actions import Action, Custom, Navigate
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
-__all__ = ["said_instead"]
+__all__ = ["may_forbid", "said_instead"]
 
 
 def said_instead(
@@ -48,6 +51,15 @@ def said_instead(
         return None
     denied = tuple(dict.fromkeys((*done, *whole.denied)))
     return replace(whole, intent=intent, slots=slots, actions=whole.actions[-1:], needs=whole.needs[-1:], denied=denied)
+
+
+def may_forbid(text: str, grammar: Grammar, meaning: Callable[[str], Interpretation]) -> bool:
+    """Whether a text may forbid a whole command, since its "no" stands in one breath with it: "no turn left"."""
+    said = Utterance.of(text, grammar.language)
+    length = PhraseSet(grammar.operators.correction).after(said.words, 0)
+    if not 0 < length < len(said) or said.breaks[length] or grammar.wording.may_forbid.isdisjoint(said.words[:length]):
+        return False
+    return bool(meaning(" ".join(said.words[length:])).actions)
 
 
 def _last(found: Interpretation) -> tuple[str | None, Mapping[str, Any]]:

@@ -14,7 +14,7 @@ from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import as_joined, goes_on_from
 from intent_engine.language.context.named_before import named_before
 from intent_engine.language.context.references import Before, resolve
-from intent_engine.language.context.said_instead import said_instead
+from intent_engine.language.context.said_instead import may_forbid, said_instead
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.wordings.pronouns import NameSaid
@@ -137,7 +137,9 @@ class Understanding(Generic[_Parser]):
             other = as_joined(text, grammar.operators.correction, grammar.wording.in_its_place, grammar.language)
             listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
             meaning = partial(self._resolved, parser)
-            if other and (found := said_instead(other, done, self._before or (), meaning, listed)) is not None:
+            if not other or may_forbid(other, grammar, meaning):
+                continue
+            if (found := said_instead(other, done, self._before or (), meaning, listed)) is not None:
                 return found, parser
         return None
 

@@ -120,8 +120,7 @@ class Interpreter:
     def named_before(self, text: str, before: str, state: Collection[str] = ()) -> list[NameSaid]:
         """What was named before for which the pronoun of a text may stand, each with the text that has it there: "close
         the lid" of "close it", after "open the lid". The arguments are those of :meth:`denied_part`."""
-        core = self.phrases.without_fillers(self._said(text))
-        return self._otherwise.named_before(text, core, lambda: self.understand(before, state)[1])
+        return self._otherwise.named_before(text, lambda: self.understand(before, state)[1], self.understand)
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""

@@ -256,9 +256,15 @@ class WrittenOtherwise:
         named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
         return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
 
-    def named_before(self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]]) -> list[NameSaid]:
-        """What the commands of an earlier utterance named for which the pronoun of a text may stand."""
-        return self._named.before(text, core, before)
+    def named_before(
+        self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]
+    ) -> list[NameSaid]:
+        """What the commands of an earlier utterance named for which the pronoun of a text may stand. "Drop it" may only
+        take back what was said."""
+        core = self._phrases.without_fillers(self._said(text))
+        if self._phrases.cancel.may_stand_in(core.words) and self._phrases.cancel.cover(core.words):
+            return []
+        return self._named.before(text, core, before, lambda one: _free_words(understood(one)))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
@@ -303,6 +309,17 @@ def _names(reading: Reading | None, words: Collection[str]) -> bool:
     if reading is None:
         return False
     return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
+
+
+def _free_words(understood: Understood) -> frozenset[str]:
+    """The words of an interpretation that are free."""
+    return frozenset(
+        word
+        for reading in _readings(understood)
+        for slot in reading.slots
+        if slot.slot.type in FREE_KINDS
+        for word in reading.words[slot.start : slot.end]
+    )
 
 
 def _readings(understood: Understood | None) -> list[Reading]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import reduce
 
 import pytest
+from meanings import shipped
 
 from intent_engine.actions import Custom, Stop
 from intent_engine.engine import IntentEngine
@@ -29,6 +30,7 @@ intents:
   lower: {action: custom, sentences: ["lower the (forks|mast)", "lower your {side} {limb}"]}
   switch: {action: custom, sentences: ["turn {state} the {device}", "turn the {device} {state}"]}
   honk: {action: custom, sentences: [honk]}
+  drop: {action: custom, sentences: ["drop the {hatch}"]}
 """
 
 
@@ -79,12 +81,35 @@ def test_it_is_what_was_named_before(engine: IntentEngine, texts: tuple[str, ...
         ("open the front hatch and open the side hatch", "close it"),
         ("raise your left arm and your right arm", "lower it"),
         ("raise the mast", "lower them"),
+        ("open the side hatch", "take it from the top"),
+        ("open the side hatch", "drop it"),  # which takes back what was said
     ],
 )
 def test_nothing_is_done_where_nobody_knows_or_it_is_talk(engine: IntentEngine, before: str, text: str) -> None:
     first = engine.parse(before, last=())
     assert first.actions
     assert not engine.parse(text, last=first).actions
+
+
+@pytest.mark.parametrize("before", ["go to the kitchen", "pick up the cup", "look at the door"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "take it slow",
+        "take it from the top",
+        "take it down a notch",
+        "okay, let's take it from here",
+        "drop it, go to the lab",
+        "go forward drop it",
+        "place it box",
+        "look at it this way",
+        "no turn left",
+        "no nope no no turn left",
+    ],
+)
+def test_no_name_is_put_into_free_words(before: str, text: str) -> None:
+    """Of which more is refused than a pronoun."""
+    assert not shipped().parse(text, last=shipped().parse(before)).actions
 
 
 @pytest.mark.parametrize(

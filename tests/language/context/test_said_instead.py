@@ -98,6 +98,8 @@ def test_each_takes_the_place_of_the_one_before(own, devices):
         ("turn on the lamp", "no, thanks"),
         ("turn on the lamp", "no, the lamp"),
         ("turn on the lamp", "no, the weather"),
+        ("turn on the lamp", "no turn on the fan"),  # which may forbid it
+        ("turn on the lamp", "no no dim the fan to ten percent"),
         ("turn on the lamp", "the heater"),
         ("turn on the lamp", "no, the heater?"),
         ("turn on the lamp", "the weather instead"),

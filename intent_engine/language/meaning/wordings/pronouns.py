@@ -170,7 +170,6 @@ class NamesListed:
         self._no_noun = known.joining | known.binding | known.within | known.articles | known.alone | known.scales
         self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
         self._sequence = sequence
-        self._things = things_of(grammar)
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with the name that it points back to: "fly to tank 2 and photograph it"; None: it
@@ -193,33 +192,34 @@ class NamesListed:
                 fits.setdefault(way[0].actions, way)
         return next(iter(fits.values())) if len(fits) == 1 else None
 
-    def before(self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]]) -> list[NameSaid]:
+    def before(
+        self,
+        text: str,
+        core: Utterance,
+        before: Callable[[], Sequence[Clause]],
+        free_words: Callable[[str], Collection[str]],
+    ) -> list[NameSaid]:
         """What the commands of an earlier utterance named that a pronoun may stand for: "close it", after "open the
         lid"; its ways are texts. Empty if there is none, or more than one pronoun.
+
+        No name is put into free words, which hold a pronoun as they hold any name, and are refused for more than that:
+        "take it slow".
 
         Args:
             text: what was said.
             core: its words, without those that say nothing.
             before: gives the earlier commands.
+            free_words: gives the words that are free in a text.
         """
         found = self._pronouns.find(core.words)
         if found is None or self._pronouns.find(core.words, sum(found)) is not None:
             return []
         pronoun = core.words[found[0] : sum(found)]
-        done = before()
-        names = [*self._names(core, done), *self._held(core, done)]
-        return [
-            replace(one, ways=[with_name(text, pronoun, " ".join(way)).split() for way in one.ways]) for one in names
-        ]
-
-    def _held(self, core: Utterance, before: Sequence[Clause]) -> Iterator[NameSaid]:
-        """The things that free words name, for a command that takes their name and not the pronoun: "nimm sie"."""
-        one = self._several.isdisjoint(core.words)
-        for reading in (part.reading for part in before if part.reading is not None):
-            for slot in reading.slots:
-                words = reading.words[slot.start : slot.end]
-                if slot.slot.name in self._things and not self._pronouns.cover(words):
-                    yield NameSaid([words], one or self._are_several(reading, slot.start, slot.end))
+        said: list[NameSaid] = []
+        for name in self._names(core, before()):
+            ways = [(way, with_name(text, pronoun, " ".join(way))) for way in name.ways]
+            said.append(replace(name, ways=[one.split() for way, one in ways if way[-1] not in free_words(one)]))
+        return said
 
     def _names(self, core: Utterance, before: Sequence[Clause]) -> list[NameSaid]:
         """What commands name that a pronoun may stand for."""
