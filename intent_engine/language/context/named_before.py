@@ -39,7 +39,7 @@ def named_before(
     clear = True
     for name in names:
         means = (meaning(" ".join(way)) for way in name.ways if way)
-        way = next((one for one in means if one.actions or one.denied), None)
+        way = next((one for one in means if (one.actions or one.denied) and name.fits(one.text)), None)
         if way is None or (way.actions and found.refuses):
             continue
         clear = clear and name.is_meant

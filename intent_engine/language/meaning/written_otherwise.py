@@ -262,7 +262,7 @@ class WrittenOtherwise:
         """What the commands of an earlier utterance named for which the pronoun of a text may stand. "Drop it" may only
         take back what was said."""
         core = self._phrases.without_fillers(self._said(text))
-        if self._phrases.cancel.may_stand_in(core.words) and self._phrases.cancel.cover(core.words):
+        if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
             return []
         return self._named.before(text, core, before, lambda one: _free_words(understood(one)))
 

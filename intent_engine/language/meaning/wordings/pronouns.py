@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
 from intent_engine.actions import Action, Custom, Navigate, Pick, Place
@@ -141,6 +142,11 @@ def _named(action: Action, things: Collection[str]) -> dict[str, object]:
     return {key: action.slots.get(key) for key in keys}
 
 
+def _is_not_free(last: frozenset[str], free_words: Callable[[str], Collection[str]], text: str) -> bool:
+    """Whether a name, by the words that it may end with, stands in no free words of a text."""
+    return last.isdisjoint(free_words(text))
+
+
 @dataclass(frozen=True, slots=True)
 class NameSaid:
     """What was named, for which a pronoun may stand."""
@@ -149,6 +155,8 @@ class NameSaid:
     """Its words, as they may be put in the place of the pronoun; the first that fit count."""
     is_meant: bool
     """Whether it may be meant; else it is not clear that it is not, if it fits: "them" of one name."""
+    fits: Callable[[str], bool] = lambda text: True
+    """Whether it stands in a text where a name of its kind may stand."""
 
 
 class NamesListed:
@@ -217,8 +225,9 @@ class NamesListed:
         pronoun = core.words[found[0] : sum(found)]
         said: list[NameSaid] = []
         for name in self._names(core, before()):
-            ways = [(way, with_name(text, pronoun, " ".join(way))) for way in name.ways]
-            said.append(replace(name, ways=[one.split() for way, one in ways if way[-1] not in free_words(one)]))
+            ways = [with_name(text, pronoun, " ".join(way)).split() for way in name.ways]
+            last = frozenset(way[-1] for way in name.ways)
+            said.append(replace(name, ways=ways, fits=partial(_is_not_free, last, free_words)))
         return said
 
     def _names(self, core: Utterance, before: Sequence[Clause]) -> list[NameSaid]:
