@@ -17,6 +17,7 @@ from intent_engine.language.meaning import MAX_CHARACTERS, Clause, Interpreter
 from intent_engine.language.meaning.command import forbidden
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.meaning.steps import Kind
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.sources import candidate, sources
@@ -74,6 +75,10 @@ class Witness:
     def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None:
         """See :meth:`Interpreter.objection`."""
         return self._interpreter.objection(text, before, state)
+
+    def named_before(self, text: str, before: str, state: Collection[str] = ()) -> list[NameSaid]:
+        """See :meth:`Interpreter.named_before`."""
+        return self._interpreter.named_before(text, before, state)
 
     def explanation(self, found: Interpretation) -> Explanation:
         """How the last text came to be ``found``: what this interpreter gave, with "it" and "again" put in."""

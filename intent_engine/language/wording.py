@@ -26,6 +26,8 @@ class Wording:
     """Those that say when before a time: "*in* ten minutes", but "*in* German"."""
     besides: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
+    in_its_place: tuple[tuple[str, ...], ...] = ()
+    """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     asks_for_doing: tuple[tuple[str, ...], ...] = ()

@@ -12,8 +12,10 @@ from dataclasses import replace
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
-__all__ = ["goes_on_from", "is_a_list"]
+__all__ = ["as_joined", "goes_on_from", "is_a_list"]
 
 
 _LAST = re.compile(r"(?s)(.*\S)\s+([^\W\d]+)[\s.!]*$")
@@ -50,6 +52,25 @@ def goes_on_from(
     intent, slots = (steps[0]["intent"], steps[0]["slots"]) if len(steps) == 1 else (whole.intent, {"steps": steps})
     more, needs = whole.actions[count:], whole.needs[count:]
     return replace(whole, intent=intent, slots=slots, actions=more, needs=needs, goes_on=True)
+
+
+def as_joined(text: str, joints: Sequence[tuple[str, ...]], ends: Collection[tuple[str, ...]], language: str) -> str:
+    """A text as it is said behind what was said before: with one of the joints before it, which it begins with, or
+    which is meant by how it ends: "the fan *too*" is "and the fan". Empty: it has neither.
+
+    Args:
+        text: what is said.
+        joints: words that join, of which the first is put in.
+        ends: what ends a text that is joined, and says no more.
+        language: of the text.
+    """
+    begins = PhraseSet(joints).at(Utterance.of(text, language).words, 0) > 0
+    words = text.rstrip(" .!").split()
+    for count in range(1, len(words)):
+        if tuple(word.casefold() for word in words[-count:]) in ends:
+            rest = " ".join(words[:-count]).rstrip(" ,")
+            return rest if begins else f"{' '.join(joints[0])} {rest}" if joints else ""
+    return text if begins else ""
 
 
 def is_a_list(whole: Interpretation, begin: int = 0) -> bool:

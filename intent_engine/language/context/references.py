@@ -51,6 +51,9 @@ def resolve(
     before = last[-1] if last else None
     needed = asked[-1] if last and len(asked) == len(last) else None
     named = ThingsNamed(grammar, last or ())
+    if found.denied:
+        denied = dict.fromkeys(meant for action in found.denied for meant in named.denied(action))
+        found = replace(found, denied=tuple(denied))
     actions: list[Action] = []
     needs = list(found.needs)
     for place, action in enumerate(found.actions):

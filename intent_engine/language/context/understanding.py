@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Generic, Protocol, TypeVar
@@ -11,13 +11,13 @@ from intent_engine.actions import Action, actions_of
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
-from intent_engine.language.context.going_on import goes_on_from
+from intent_engine.language.context.going_on import as_joined, goes_on_from
+from intent_engine.language.context.named_before import named_before
 from intent_engine.language.context.references import Before, resolve
-from intent_engine.language.context.said_instead import said_instead
-from intent_engine.language.grammar import FREE_KINDS, Operators
+from intent_engine.language.context.said_instead import may_forbid, said_instead
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unreadable import as_read
 from intent_engine.needs import MOVING, Needs
@@ -37,6 +37,8 @@ class Parses(Protocol):
     def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
 
     def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None: ...
+
+    def named_before(self, text: str, before: str, state: Collection[str] = ()) -> list[NameSaid]: ...
 
 
 _Parser = TypeVar("_Parser", bound=Parses)
@@ -103,10 +105,12 @@ class Understanding(Generic[_Parser]):
         if done and not does and (more := self._going_on(text, done)) is not None:
             found, parser = more
             return resolve(found, before, parser.matcher.grammar, self._needs, self._state), parser
-        if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
+        if MOVING in self._state and not does and (stop := self._objection(text, done, parser)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if done and not does and MOVING not in self._state and (instead := self._instead(text, done)) is not None:
             return instead
+        if done and not (does or found.denied) and (named := self._named_before(text, done, found)) is not None:
+            found, parser = named
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
         if self._by_voice and Cause.NO_COMMAND in found.causes:
@@ -117,32 +121,58 @@ class Understanding(Generic[_Parser]):
 
     def _going_on(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
         """What a text that is typed adds to what was done before, and the parser that says so; None: nothing."""
-        for parser in self._typed_behind(text, lambda operators: operators.sequence):
+        for parser in self._typed_behind(text):
             grammar = parser.matcher.grammar
+            more = as_joined(text, grammar.operators.sequence, grammar.wording.besides, grammar.language)
             parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
-            meaning = partial(parser.interpret, state=self._state)
-            if (more := goes_on_from(text, done, self._before or (), meaning, parted)) is not None:
-                return more, parser
+            meaning = partial(self._resolved, parser)
+            if more and (found := goes_on_from(more, done, self._before or (), meaning, parted)) is not None:
+                return found, parser
         return None
 
     def _instead(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
         """What one puts in the place of what was done before, if the robot is at rest; None: nothing."""
-        for parser in self._typed_behind(text, lambda operators: operators.correction):
-            listed = [name for name, slot in parser.matcher.grammar.slots.items() if slot.type not in FREE_KINDS]
-            meaning = partial(parser.interpret, state=self._state)
-            if (instead := said_instead(text, done, self._before or (), meaning, listed)) is not None:
-                return instead, parser
+        for parser in self._typed_behind(text):
+            grammar = parser.matcher.grammar
+            other = as_joined(text, grammar.operators.correction, grammar.wording.in_its_place, grammar.language)
+            listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
+            meaning = partial(self._resolved, parser)
+            if not other or may_forbid(other, grammar, meaning):
+                continue
+            if (found := said_instead(other, done, self._before or (), meaning, listed)) is not None:
+                return found, parser
         return None
 
-    def _typed_behind(self, text: str, openers: Callable[[Operators], Iterable[tuple[str, ...]]]) -> Iterator[_Parser]:
-        """The parsers in whose language a text begins with an operator, where it may follow what was typed before, and
-        answers no question. What is spoken has its time, which is not known here: "and Ben", a minute later, is
-        talk."""
+    def _resolved(self, parser: _Parser, text: str) -> Interpretation:
+        """What a text means, with what it points back to; what was said before may point back itself."""
+        found = parser.interpret(text, self._state)
+        return resolve(found, self._before, parser.matcher.grammar, self._needs, self._state)
+
+    def _objection(self, text: str, done: str, parser: _Parser) -> Interpretation | None:
+        """The stop of a robot that moves, where something else is said than what it does; None: it is not."""
+        grammar = parser.matcher.grammar
+        other = as_joined(text, grammar.operators.correction, grammar.wording.in_its_place, grammar.language)
+        stop = parser.objection(other or text, done, self._state)
+        if stop is None or other in ("", text):
+            return stop
+        return replace(stop, text=text, reason=f"{text!r} said to a robot that moves")
+
+    def _named_before(self, text: str, done: str, found: Interpretation) -> tuple[Interpretation, _Parser] | None:
+        """What one means with a name in the place of its pronoun, and the parser that says so; None: nothing."""
+        for parser in self._parsers:
+            meaning = partial(parser.interpret, state=self._state, spoken=self._spoken, heard=self._by_voice)
+            names = parser.named_before(text, done, self._state)
+            if names and (meant := named_before(text, found, names, meaning)) is not None:
+                return meant, parser
+        return None
+
+    def _typed_behind(self, text: str) -> Iterator[_Parser]:
+        """The parsers in whose language a text may be a part of a command, that follows what was typed before, and
+        answers no question. What is spoken has its time, which is not known here: "and Ben", a minute later, is talk.
+        So may be what asks with no more than a name: "and the fan?"."""
         asks = isinstance(self._last, Interpretation) and self._last.question is not None
-        for parser in self._parsers if self._before and not self._by_voice and not asks else ():
-            grammar = parser.matcher.grammar
-            if PhraseSet(openers(grammar.operators)).at(Utterance.of(text, grammar.language).words, 0):
-                yield parser
+        if self._before and not (self._by_voice or asks or "?" in text):
+            yield from self._parsers
 
     def _first_accepted(self, text: str) -> tuple[Interpretation, _Parser]:
         """The interpretation of the first language that accepts a text; else the one that says most about it."""

@@ -25,6 +25,8 @@ from intent_engine.language.words.verb_forms import told_forms_of
 
 __all__ = ["LEAST_WORDS", "Commands", "forbidden"]
 
+_STEM = 3
+"""Letters with which a verb begins in each of its forms."""
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
 _NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
@@ -138,6 +140,14 @@ class Commands:
     def may_begin_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any word could be the verb of a command."""
         return not self.verbs.isdisjoint(words)
+
+    def may_have_a_verb(self, words: Sequence[str]) -> bool:
+        """The same, where it may be in another form, or parted from what it begins with: "locking", "aufschließen"."""
+        return any(verb in word for verb in self._stems for word in words)
+
+    @cached_property
+    def _stems(self) -> frozenset[str]:
+        return frozenset(verb[:_STEM] for verb in self._verbs)
 
     def opens_with_a_verb(self, reading: Reading) -> bool:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""

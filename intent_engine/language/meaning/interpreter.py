@@ -30,8 +30,9 @@ from intent_engine.language.meaning.taken_otherwise import TakenOtherwise
 from intent_engine.language.meaning.told import Understood, as_stop, as_told, as_told_together, which_number
 from intent_engine.language.meaning.wordings.dash_or_sign import DashOrSign
 from intent_engine.language.meaning.wordings.numbers_in_pieces import NumbersInPieces
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
-from intent_engine.language.numbers.vague import said_exactly
+from intent_engine.language.numbers.vague import lacks_a_number
 from intent_engine.language.slots.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
@@ -105,9 +106,7 @@ class Interpreter:
         core = self.phrases.without_fillers(self._said(text))
         if not self._negations.stands_in(core):
             return ()
-        _, parts = self.understand(before, state)
-        done = [list(part.reading.words) for part in parts if part.reading is not None and part.accepted]
-        return self._negations.denied_part(core, [Utterance.in_one_breath(one) for one in done], state)
+        return self._negations.denied_part(core, self.understand(before, state)[1], state)
 
     def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None:
         """The stop of a robot that moves, at a "no" with more behind it ("no, the lab", after "go to the kitchen");
@@ -117,6 +116,11 @@ class Interpreter:
         if not objects_to_what_is_done(self.phrases, self._commands, *heard):
             return None
         return self._objected(text, said.words)[0]
+
+    def named_before(self, text: str, before: str, state: Collection[str] = ()) -> list[NameSaid]:
+        """What was named before for which the pronoun of a text may stand, each with the text that has it there: "close
+        the lid" of "close it", after "open the lid". The arguments are those of :meth:`denied_part`."""
+        return self._otherwise.named_before(text, lambda: self.understand(before, state)[1], self.understand)
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -265,6 +269,10 @@ class Interpreter:
     ) -> Understood:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
+        if 0 < (ends := self.phrases.in_its_place.ends(words)) < len(words):
+            found, told = self._operated(text, said, core.part(0, len(words) - ends), state, clause)
+            if len(found.actions) == 1 or found.denied:
+                return found, told  # "turn left, turn right instead" may be both, or one
         takes_back = self._corrections.may_stand_in(words) or self.phrases.cancel.may_stand_in(words)
         if takes_back and self._stops.in_protest(core, state):
             return self._stopped(text)
@@ -347,19 +355,9 @@ class Interpreter:
             return self._stopped(text)
         if self.phrases.only_hold(words) and self.matcher.prefix(words)[1] is None:
             return self._held_at_rest(text, words)
-        vague = self._vague(text, core, state)
-        return vague if vague is not None else self._no_command.told(text, core, state, more_telling(clause, single))
-
-    def _vague(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "go forward a few feet": it would be a command if it said how many."""
-        exactly = said_exactly(core, self._language)
-        if exactly is None:
-            return None
-        amount, otherwise = exactly
-        found, _ = self._meant(text, otherwise, state, spoken=False)
-        if found.status is not Status.ACCEPTED:
-            return None
-        return self._rejected(text, f"{amount!r} may be any number; say how many")
+        if vague := lacks_a_number(core, self._language, lambda one: self._meant(text, one, state)[0].status):
+            return self._rejected(text, vague)
+        return self._no_command.told(text, core, state, more_telling(clause, single))
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""

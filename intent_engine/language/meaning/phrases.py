@@ -63,6 +63,7 @@ class Phrases:
         self.correction = PhraseSet(operators.correction)
         self.correcting = next(iter(operators.correction), ())
         """One of them, for what corrects in other words: "wrong way, the lab"."""
+        self.in_its_place = PhraseSet(wording.in_its_place)
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)
@@ -307,8 +308,10 @@ class Phrases:
 
     def only_objects(self, said: Utterance, core: Utterance) -> bool:
         """Whether nothing is said but that what goes on is not meant: "no", "no, that's wrong". "No, thanks" is said to
-        somebody who offers something. ``core`` is what was said without its fillers."""
-        objects = self.objection.find(core.words) is not None and self._objecting.cover(core.words)
+        somebody who offers something. ``core`` is what was said without its fillers, of which some are a part of an
+        objection: "not *so* far"."""
+        ways = (core.words, said.words)
+        objects = any(self.objection.find(words) is not None and self._objecting.cover(words) for words in ways)
         return objects and not self.thanks(said)
 
     def thanks(self, said: Utterance) -> bool:

@@ -24,7 +24,7 @@ from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
-from intent_engine.language.meaning.wordings.pronouns import NamesListed
+from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
@@ -263,6 +263,16 @@ class WrittenOtherwise:
         named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
         return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
 
+    def named_before(
+        self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]
+    ) -> list[NameSaid]:
+        """What the commands of an earlier utterance named for which the pronoun of a text may stand. "Drop it" may only
+        take back what was said."""
+        core = self._phrases.without_fillers(self._said(text))
+        if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
+            return []
+        return self._named.before(text, core, before, lambda one: _free_words(understood(one)))
+
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
         begun = self._matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
@@ -306,6 +316,17 @@ def _names(reading: Reading | None, words: Collection[str]) -> bool:
     if reading is None:
         return False
     return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
+
+
+def _free_words(understood: Understood) -> frozenset[str]:
+    """The words of an interpretation that are free."""
+    return frozenset(
+        word
+        for reading in _readings(understood)
+        for slot in reading.slots
+        if slot.slot.type in FREE_KINDS
+        for word in reading.words[slot.start : slot.end]
+    )
 
 
 def _readings(understood: Understood | None) -> list[Reading]:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 
+from intent_engine.interpretation import Status
 from intent_engine.language.numbers.units import units
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 
-__all__ = ["said_exactly", "vague_length"]
+__all__ = ["lacks_a_number", "vague_length"]
 
 _ANY_NUMBER = "3"
 
@@ -25,7 +26,7 @@ def vague_length(words: Sequence[str], at: int, language: str) -> int:
     return _phrases(language).at(words, at)
 
 
-def said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None:
+def _said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None:
     """The first such amount in an utterance, and the utterance with a number for each; None: there is none."""
     phrases = _phrases(language)
     if not phrases.may_stand_in(said.words):
@@ -41,3 +42,12 @@ def said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None
         breaks.append(said.breaks[position])
         position += length or 1
     return (first, Utterance(words, breaks)) if first else None
+
+
+def lacks_a_number(said: Utterance, language: str, meaning: Callable[[Utterance], Status]) -> str:
+    """Why an utterance is no command that would be one if it said how many: "go forward a few feet". Empty: it would be
+    none either. ``meaning`` tells how an utterance is understood."""
+    exactly = _said_exactly(said, language)
+    if exactly is None or meaning(exactly[1]) is not Status.ACCEPTED:
+        return ""
+    return f"{exactly[0]!r} may be any number; say how many"

@@ -62,9 +62,23 @@ def test_only_what_is_added_is_done(engine: IntentEngine, texts: tuple[str, ...]
     assert len(found.needs) == len(found.actions)
 
 
+@pytest.mark.parametrize("text", ["Ben too", "Ben, too!", "to Ben as well", "and Ben as well", "also Ben"])
+def test_what_is_done_besides_goes_on_without_a_joint(engine: IntentEngine, text: str) -> None:
+    found = said_one_by_one(engine, "wave to Anna", text)
+    assert (values(found), found.goes_on) == (["Ben"], True)
+    assert values(engine.parse("and Lucy", last=found)) == ["Lucy"]
+
+
 @pytest.mark.parametrize(
     ("before", "text"),
     [
+        ("wave to Anna", "and Ben?"),
+        ("wave to Anna", "Ben too?"),
+        ("wave to Anna", "me too"),
+        ("wave to Anna", "too"),
+        ("wave to Anna", "not Ben too"),
+        ("wave to Anna", "no, Ben too"),
+        ("wave to Anna", "Ben waved too"),
         ("wave to Anna", "Ben"),
         ("wave to Anna", "Ben and Lucy"),
         ("wave to Anna", "and"),

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from intent_engine import IntentEngine
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Status
+from intent_engine.runtime.last_said import LastSaid
 
 GREETER = """
 language: en
@@ -97,6 +98,21 @@ def test_nothing_to_point_at_does_nothing(engine: IntentEngine, text: str, last:
     assert found.reason
 
 
+@pytest.mark.parametrize(
+    ("before", "text", "meant"),
+    [
+        ("look at the ball", "go to the kitchen and look at it", ""),
+        ("go to the bedroom", "look at the ball, go to the kitchen and look at it", ""),
+        ("look at the ball", "go to the kitchen and pick it up", "go to the kitchen and pick up the ball"),
+        ("pick up the ball", "go to the kitchen and look at it", "go to the kitchen and look at the ball"),
+        ("go to the kitchen", "look at the ball and look at it", "look at the ball and look at the ball"),
+    ],
+)
+def test_it_may_be_the_place_where_it_is_said_to_go(engine: IntentEngine, before: str, text: str, meant: str) -> None:
+    """Unless it is held, or no place can be meant."""
+    assert engine.parse(text, last=engine.parse(before)).actions == (engine.parse(meant, last=()).actions)
+
+
 def test_the_command_before_in_the_same_breath(engine: IntentEngine) -> None:
     found = engine.parse("pick up the red cup and put it on the table")
     assert found.actions == (Pick("red cup"), Place("red cup", "table"))
@@ -151,3 +167,33 @@ def test_of_several_things_nobody_takes_the_last_in_any_language(engine_of, lang
     found = engine.parse(said, last=[Pick("a"), Pick("b")])
     assert not found.actions
     assert "more than one thing" in (found.reason or "")
+
+
+@pytest.mark.parametrize(
+    ("texts", "denied"),
+    [
+        (("pick up the cup", "don't pick it up"), ["pick up the cup"]),
+        (("pick up the cup", "go to the kitchen", "don't pick it up"), ["pick up the cup"]),
+        (("pick up the cup and the plate", "don't pick it up"), ["pick up the cup", "pick up the plate"]),
+        (("pick up the cup and the plate", "don't pick them up"), ["pick up the cup", "pick up the plate"]),
+        (("pick up the cup", "put it on the table", "don't put it on the table"), ["put the cup on the table"]),
+        (("pick up the cup", "put it on the table", "not the table"), ["put the cup on the table"]),
+        (("pick up the red cup", "not the red one"), ["pick up the red cup"]),
+        (("pick up the red cup", "not the blue one"), []),
+        (("pick up the red cup", "not the problem"), []),
+    ],
+)
+def test_what_shall_not_be_done_with_it_is_denied_by_its_name(
+    engine: IntentEngine, texts: tuple[str, ...], denied: list[str]
+) -> None:
+    kept = LastSaid(lambda: engine.grammars)
+    for text in texts[:-1]:
+        kept.take(engine.parse(text, last=kept.meaning))
+    found = engine.parse(texts[-1], last=kept.meaning)
+    assert not found.actions
+    assert set(found.denied) == {engine.parse(one).actions[0] for one in denied}
+
+
+def test_another_may_be_wanted_instead_of_it(engine: IntentEngine) -> None:
+    found = engine.parse("don't pick it up, pick up the plate", last=engine.parse("pick up the cup"))
+    assert (found.actions, found.denied) == ((Pick("plate"),), (Pick("cup"),))

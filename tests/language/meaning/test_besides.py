@@ -56,6 +56,10 @@ def shed(engine_of) -> IntentEngine:
         ("light the red lamp again and ring", "light the red lamp and ring"),
         ("bring me three crates", "bring three crates"),
         ("bring us the red lamp", "bring the red lamp"),
+        ("light the red lamp instead", "light the red lamp"),
+        ("no, light the red lamp instead, please", "light the red lamp"),
+        ("don't ring, light the red lamp instead", "light the red lamp"),
+        ("light the red lamp, no, ring instead", "ring"),
     ],
 )
 def test_it_is_the_same_command(shed: IntentEngine, said: str, plain: str) -> None:
@@ -80,6 +84,12 @@ def test_it_is_the_same_command(shed: IntentEngine, said: str, plain: str) -> No
         "follow me for ten seconds",  # is done to somebody, and not for him
         "bring me ten seconds",
         "bring me to the red lamp",
+        "light the red lamp, ring instead",  # both, or one?
+        "light the red lamp and ring instead",
+        "light the red lamp or the blue lamp instead",
+        "don't light the red lamp instead",
+        "we ring instead",
+        "instead",
     ],
 )
 def test_what_says_something_else_is_none(shed: IntentEngine, said: str) -> None:

@@ -77,3 +77,75 @@ def test_a_side_is_denied(engines, language, done, said):
 
 def test_nothing_is_known_of_before(engines):
     assert engines["en"].parse("not the bar").denied == ()
+
+
+@pytest.fixture(scope="module")
+def kiosk(engine_of) -> IntentEngine:
+    return engine_of("""
+language: en
+slots:
+  drink: [tea, latte]
+  item: {type: object, max_words: 2}
+  part: [grinder, counter]
+intents:
+  order: {action: custom, sentences: ["order a {drink}"], then: ["a {drink}"]}
+  fetch: {action: {type: pick, object: "{item}"}, sentences: ["fetch {item}"], then: ["(the|a) {item}"]}
+  clean: {action: custom, sentences: ["clean the {part}"]}
+""")
+
+
+@pytest.mark.parametrize(
+    ("texts", "said", "denied"),
+    [
+        (["order a tea"], "not the tea", "order a tea"),
+        (["order a tea"], "not a tea", "order a tea"),
+        (["order a tea and a latte"], "not the latte", "order a latte"),
+        (["order a tea", "and a latte"], "no, not the latte", "order a latte"),
+        (["fetch the cup and the plate"], "not the plate", "fetch plate"),
+        (["fetch the cup and the plate"], "not the cup", "fetch cup"),
+        (["fetch the cup", "and the plate"], "not the plate", "fetch plate"),
+        (["fetch the cup and the plate"], "not the smile", ""),
+        (["fetch the cup"], "not the smile", ""),
+        (["clean the grinder and the counter"], "not the counter", "clean the counter"),
+    ],
+)
+def test_what_was_added_is_denied_and_what_was_told_of_with_another_article(kiosk, texts, said, denied):
+    last = ()
+    for text in texts:
+        last = kiosk.parse(text, last=last)
+        assert last.actions
+    found = kiosk.parse(said, last=last)
+    assert found.denied == (kiosk.parse(denied).actions if denied else ())
+    assert not found.actions
+
+
+@pytest.mark.parametrize(
+    ("done", "said", "denied"),
+    [
+        ("order a tea", "don't order it", "order a tea"),
+        ("order a tea", "no, never order that", "order a tea"),
+        ("order a tea and a latte", "don't order them", "order a tea and a latte"),
+        ("clean the grinder", "don't clean it", "clean the grinder"),
+        ("clean the grinder", "don't order it", ""),
+        ("clean the grinder", "don't clean it up so often", ""),
+        ("clean the grinder", "don't worry", ""),
+    ],
+)
+def test_what_was_told_is_denied_by_its_verb(kiosk, done, said, denied):
+    found = kiosk.parse(said, last=kiosk.parse(done))
+    assert found.denied == (kiosk.parse(denied).actions if denied else ())
+    assert not found.actions
+
+
+@pytest.mark.parametrize(
+    ("language", "done", "said"),
+    [("de", "nimm {}", "nimm sie nicht"), ("fr", "prends {}", "ne la prends pas"), ("es", "toma {}", "no la tomes")],
+)
+def test_it_is_in_other_languages(engine_of, language, done, said):
+    engine = engine_of(f"""
+language: {language}
+slots: {{thing: {{type: object, max_words: 2}}}}
+intents: {{take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["{done.format("{thing}")}"]}}}}
+""")
+    last = engine.parse(done.format({"de": "die Tasse", "fr": "la tasse", "es": "la taza"}[language]))
+    assert engine.parse(said, last=last).denied == last.actions != ()

@@ -10,6 +10,7 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.negations.denied_parts import DeniedParts
 from intent_engine.language.meaning.negations.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.negations.motion_verbs import MotionVerbs
 from intent_engine.language.meaning.phrases import Phrases
@@ -34,6 +35,7 @@ class Negations:
         self._excludes = wording.excludes
         self._behind_the_verb = bool(wording.behind_verbs)
         self._articles = thing_words(commands.matcher.grammar.language).articles
+        self._parts = DeniedParts(commands, corrections)
         self._verbs = MotionVerbs(commands.matcher.grammar)
 
     def stands_in(self, core: Utterance) -> bool:
@@ -137,11 +139,11 @@ class Negations:
             if joint or part.breaks[end]:
                 yield end, end + joint
 
-    def denied_part(self, core: Utterance, done: Sequence[Utterance], state: Collection[str]) -> tuple[Action, ...]:
+    def denied_part(self, core: Utterance, done: Sequence[Clause], state: Collection[str]) -> tuple[Action, ...]:
         """What an utterance says not to do by naming a part of it: "not the kitchen", after "go to the kitchen".
 
         What is named takes the place of its like in a command that was done, and makes the one that shall not be; words
-        that any would do in place of name nothing.
+        that any would do in place of name nothing. So does the verb of a command: "don't bring it".
 
         Args:
             core: what was said.
@@ -151,31 +153,24 @@ class Negations:
         for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
             part = core.part(begin, len(core))
             found = self._first(part)
-            if found is None or tuple(part.words[: found[0]]) not in self._before:
+            if found is None:
                 continue
-            start = found[0] + found[1]
+            start, before = found[0] + found[1], part.words[: found[0]]
+            first = tuple(before) in self._before
+            if denied := self._parts.by_verb([*(() if first else before), *part.words[start:]], done):
+                return denied
+            if not first:
+                continue
             ends = (
                 at for at in range(start + 1, len(part)) if part.breaks[at] or self._phrases.contrast.at(part.words, at)
             )
             named = part.part(start, next(ends, len(part)))
             if not named.words or self._negation.find(named.words) is not None:
                 continue
-            for said in done:
-                if (action := self._with_part(said, named, state)) is not None:
-                    return (action,)
-                for at in range(1, len(named)):  # "not left right", as it is heard without its pause
-                    shorter, instead = named.part(0, at), named.part(at, len(named))
-                    if self._corrections.instead(said, instead, state) is None:
-                        continue
-                    if (action := self._with_part(said, shorter, state)) is not None:
-                        return (action,)
+            parts = (self._parts.denied(clause, named, state) for clause in done)
+            if (action := next((one for one in parts if one is not None), None)) is not None:
+                return (action,)
         return ()
-
-    def _with_part(self, said: Utterance, named: Utterance, state: Collection[str]) -> Action | None:
-        """A command that was done, with what is named in the place of its like; None: there is no like of it."""
-        denied = said if self._corrections.is_said(said, named, state) else None
-        denied = denied or self._corrections.instead(said, named, state)
-        return None if denied is None else self._action(denied, state)
 
     def denied_beside(self, core: Utterance, wanted: Utterance, state: Collection[str]) -> tuple[Action, ...]:
         """What shall not be done of an utterance of which something is wanted: "don't clean the lab, clean the hall",
@@ -297,7 +292,7 @@ class Negations:
             or (clause.reading.free_words and not led)
         ):
             return False
-        return self._with_part(wanted, named, state) not in (None, clause.action)
+        return self._parts.with_part(wanted, named, state) not in (None, clause.action)
 
     def _no_not_that(self, core: Utterance, state: Collection[str]) -> Utterance | None:
         """An utterance without what a correction says not to have been meant: "turn left, no, not left, right" is "turn

@@ -68,6 +68,7 @@ class SharedVerb:
         self._commands = commands
         self._lists = lists
         self._sequence, self._stop, self._correction = phrases.sequence, phrases.stop, phrases.correction
+        self._says_later = phrases.says_later
         grammar = commands.matcher.grammar
         self._language = grammar.language
         known, operators, wording = thing_words(grammar.language), grammar.operators, grammar.wording
@@ -92,10 +93,11 @@ class SharedVerb:
             return None  # without a word before the last it may be a correction
         if any(self._lists.joins_one(part.words, *joint) for joint in joints):
             return None
+        in_turn = all(self._says_later(part.words[start:end]) for start, end in joints)
         found: dict[tuple[object, ...], list[Clause]] = {}
         for said in self._ways(part, joints, state):
             clauses = [one.clause for one in said]
-            asked = self._asked(said, part, state)
+            asked = self._asked(said, part, state, in_turn=in_turn)
             if asked is None:
                 found.setdefault(tuple(clause.action for clause in clauses), clauses)
             else:
@@ -230,8 +232,9 @@ class SharedVerb:
         sentences = (words_in(one.template) for one in reading.intent.sentences)
         return any(verb in words and not self._joints.isdisjoint(words) for words in map(set, sentences))
 
-    def _asked(self, said: Sequence[_Said], part: Utterance, state: Collection[str]) -> Clause | None:
-        """The clause that asks what is of which; None: it is clear."""
+    def _asked(self, said: Sequence[_Said], part: Utterance, state: Collection[str], *, in_turn: bool) -> Clause | None:
+        """The clause that asks what is of which; None: it is clear. What is said to be done ``in_turn``, "left, then
+        right", is no one thing and not done together."""
         one, last = said[0], said[-1]
         words = one.reading.words
         each = tuple(described(other.reading) for other in said)
@@ -246,7 +249,7 @@ class SharedVerb:
             told = f"{listed!r} may be of one thing, or of one for each"
         elif _may_share_tens(said):
             told = f"{listed!r} may share their tens"
-        elif any(other.is_bare for other in said[1:]) and not self._names_things(last):
+        elif not in_turn and any(other.is_bare for other in said[1:]) and not self._names_things(last):
             told = f"{listed!r} may be for each of them, or for all together"
         else:
             return None

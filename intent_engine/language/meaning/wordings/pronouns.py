@@ -1,7 +1,8 @@
 """What "it", "them" and "that one" stand for: something that was named before them.
 
 Free words hold a pronoun as they hold any name, so it is put in when their action is known: what was named *last*, in
-the same utterance or the one before. One for several is refused where more than one thing was named. A slot that lists
+the same utterance or the one before. One for several is refused where more than one thing was named, and so is one for
+what may be a place that was named later, in the same utterance, unless the thing is held. A slot that lists
 its names, or has them from a map, holds no pronoun: there the name is put in before the utterance is understood, the
 *only one* that fits of those that were said in it; where none or several fit, it is no command. So is the name of a
 thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and no article ("das"); a whole
@@ -15,11 +16,15 @@ be no sentence whose value could be known.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
-from intent_engine.actions import Action, Custom, Pick, Place
+from intent_engine.actions import Action, Custom, Navigate, Pick, Place
+from intent_engine.language.context.answers import with_name
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.loading.language_words import default_another
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -28,9 +33,11 @@ from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
-__all__ = ["NamesListed", "ThingsNamed", "names_something", "things_of"]
+__all__ = ["NameSaid", "NamesListed", "ThingsNamed", "names_something", "things_of"]
 
 _LISTED = ("choice", "location")
+_TELLING = (*_LISTED, "number", "ordinal")
+"""What may be said within the name of a thing, to tell which."""
 _MOST_WORDS = 3
 """Of the name of a thing that a sentence has, without its article."""
 
@@ -51,14 +58,19 @@ class ThingsNamed:
         self._qualities, self._stand_ins = known.qualities, grammar.wording.standing_for
         self._bound = known.joining | known.binding | known.within
         self._named: list[str] = []
+        self._held = False
         for action in done:
             self.add(action)
+        self._place = ""  # of the utterance before "it" is none: what it says is put in by its text
 
     def add(self, action: Action) -> None:
         """An action that is done next, after :meth:`put_in`."""
         thing = next(filter(None, _named(action, self._things).values()), None)
         if isinstance(thing, str) and thing not in self._pronouns:
             self._named.append(thing)
+            self._held, self._place = isinstance(action, Pick), ""
+        elif isinstance(action, Navigate):
+            self._place = action.location
 
     def put_in(self, action: Action) -> Action | str:
         """An action with the thing that it points back to, or why it is not clear which; the same object if it points
@@ -70,7 +82,20 @@ class ThingsNamed:
             return action if all(said[key] == value for key, value in full.items()) else _naming(action, full)
         if len(named := dict.fromkeys(self._named)) > 1 and not self._several.isdisjoint(said.values()):
             return f"more than one thing was named: {', '.join(named)}; say what to do with each"
+        if self._place and not self._held and isinstance(action, Custom) and self._several.isdisjoint(said.values()):
+            return f"it may be the {self._place} or the {self._named[-1]}; say which"
         return _naming(action, dict.fromkeys(pointing, self._named[-1]))
+
+    def denied(self, action: Action) -> Iterator[Action]:
+        """What shall not be done, with each thing that it may point back to: of "don't take it" nobody waits to hear
+        which. The action itself, if it points to none."""
+        said = _named(action, self._things)
+        pointing = [key for key, value in said.items() if value in self._pronouns]
+        if not (pointing and self._named):
+            meant = self.put_in(action)
+            yield action if isinstance(meant, str) else meant
+        else:
+            yield from (_naming(action, dict.fromkeys(pointing, name)) for name in dict.fromkeys(self._named))
 
     def _with_noun(self, thing: str) -> str:
         """A thing of which only was said which it is, with the noun of the one before: "the red cup and the blue one",
@@ -117,6 +142,23 @@ def _named(action: Action, things: Collection[str]) -> dict[str, object]:
     return {key: action.slots.get(key) for key in keys}
 
 
+def _is_not_free(last: frozenset[str], free_words: Callable[[str], Collection[str]], text: str) -> bool:
+    """Whether a name, by the words that it may end with, stands in no free words of a text."""
+    return last.isdisjoint(free_words(text))
+
+
+@dataclass(frozen=True, slots=True)
+class NameSaid:
+    """What was named, for which a pronoun may stand."""
+
+    ways: Sequence[Sequence[str]]
+    """Its words, as they may be put in the place of the pronoun; the first that fit count."""
+    is_meant: bool
+    """Whether it may be meant; else it is not clear that it is not, if it fits: "them" of one name."""
+    fits: Callable[[str], bool] = lambda text: True
+    """Whether it stands in a text where a name of its kind may stand."""
+
+
 class NamesListed:
     """The names of lists and the map that the commands of one utterance say.
 
@@ -132,6 +174,8 @@ class NamesListed:
         self._plurals = known.plurals
         self._of_several = known.of_several
         self._definite = known.definite
+        self._leading = known.definite | (known.owning - default_another(grammar.language).keys())
+        self._no_noun = known.joining | known.binding | known.within | known.articles | known.alone | known.scales
         self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
         self._sequence = sequence
 
@@ -147,10 +191,52 @@ class NamesListed:
         ends = range(found[0] - 1, 0, -1) if found is not None else ()
         wholes = (core.part(0, end) for end in ends if core.breaks[end] or self._sequence.at(core.words, end))
         _, before = next(filter(None, map(as_said, wholes)), (None, ()))
+        fits: dict[object, Understood] = {}
+        for name in self._names(core, before):
+            ways = (as_said(self._with_name(core, words)) for words in name.ways)
+            for way in islice(filter(None, ways), 1):
+                if not name.is_meant:
+                    return None
+                fits.setdefault(way[0].actions, way)
+        return next(iter(fits.values())) if len(fits) == 1 else None
+
+    def before(
+        self,
+        text: str,
+        core: Utterance,
+        before: Callable[[], Sequence[Clause]],
+        free_words: Callable[[str], Collection[str]],
+    ) -> list[NameSaid]:
+        """What the commands of an earlier utterance named that a pronoun may stand for: "close it", after "open the
+        lid"; its ways are texts. Empty if there is none, or more than one pronoun.
+
+        No name is put into free words, which hold a pronoun as they hold any name, and are refused for more than that:
+        "take it slow".
+
+        Args:
+            text: what was said.
+            core: its words, without those that say nothing.
+            before: gives the earlier commands.
+            free_words: gives the words that are free in a text.
+        """
+        found = self._pronouns.find(core.words)
+        if found is None or self._pronouns.find(core.words, sum(found)) is not None:
+            return []
+        pronoun = core.words[found[0] : sum(found)]
+        said: list[NameSaid] = []
+        for name in self._names(core, before()):
+            ways = [with_name(text, pronoun, " ".join(way)).split() for way in name.ways]
+            last = frozenset(way[-1] for way in name.ways)
+            said.append(replace(name, ways=ways, fits=partial(_is_not_free, last, free_words)))
+        return said
+
+    def _names(self, core: Utterance, before: Sequence[Clause]) -> list[NameSaid]:
+        """What commands name that a pronoun may stand for."""
         names: dict[object, Sequence[str]] = {}
         meant: set[object] = set()
         led: dict[object, list[Sequence[str]]] = {}
         one = self._several.isdisjoint(core.words)
+        own: list[NameSaid] = []
         for reading in (part.reading for part in before if part.reading is not None):
             for slot in reading.slots:
                 if slot.slot.type in _LISTED:
@@ -159,18 +245,20 @@ class NamesListed:
                     names.setdefault(slot.value, reading.words[slot.start : slot.end])
                     before_it = reading.words[slot.start - 1 : slot.start]
                     led.setdefault(slot.value, [before_it] if not self._definite.isdisjoint(before_it) else [])
-            for name in self._own_things(reading) if one else ():
-                meant.add(name)
-                names.setdefault(name, name)
-        fits: dict[object, Understood] = {}
-        fitting: list[object] = []
-        for value, name in names.items():
-            articles = [*self._articles, *led.get(value, ())] if self._definite.isdisjoint(name) else self._articles[:1]
-            ways = (as_said(self._with_name(core, (*article, *name))) for article in articles)
-            for way in islice(filter(None, ways), 1):
-                fits.setdefault(way[0].actions, way)
-                fitting.append(value)
-        return next(iter(fits.values())) if len(fits) == 1 and meant.issuperset(fitting) else None
+            own += self._own_things(reading, one=one)
+            own += self._numbered(reading) if one else ()
+        listed = [
+            NameSaid(
+                [(*article, *name) for article in self._articles_of(name, led.get(value, []))],
+                value in meant,
+            )
+            for value, name in names.items()
+        ]
+        return [*listed, *own]
+
+    def _articles_of(self, name: Sequence[str], led: Sequence[Sequence[str]]) -> Sequence[Sequence[str]]:
+        """What may stand before a name, in the order tried: nothing, "the", and what stood before it."""
+        return [*self._articles, *led] if self._definite.isdisjoint(name) else self._articles[:1]
 
     def _are_several(self, reading: Reading, start: int, end: int) -> bool:
         """Whether a name is one for more than one thing, as its own end or the article before it tell: "the blood
@@ -179,15 +267,32 @@ class NamesListed:
             return not self._of_several.isdisjoint(reading.words[max(start - 1, 0) : start + 1])
         return bool(self._plurals) and any(singular(tuple(reading.words[end - 1 : end]), self._plurals))
 
-    def _own_things(self, reading: Reading) -> Iterator[Sequence[str]]:
-        """What may be the names of things in the words of a sentence, each with its article: "the lid"."""
-        held = {at for slot in reading.slots for at in range(slot.start, slot.end)}
+    def _own_things(self, reading: Reading, *, one: bool) -> Iterator[NameSaid]:
+        """What may be the names of things in the words of a sentence, each with its article and with what tells which:
+        "the lid", "the left valve", "your right arm". More than one of it is no "it", and one is no "them"."""
         words = reading.words
-        for start in (at for at, word in enumerate(words) if word in self._definite and at not in held):
-            for end in range(start + 2, min(start + 2 + _MOST_WORDS, len(words) + 1)):
-                if end - 1 in held:
-                    break
-                yield words[start:end]
+        inner = {at for slot in reading.slots for at in range(slot.start + 1, slot.end)}
+        free = {at for slot in reading.slots if slot.slot.type not in _TELLING for at in range(slot.start, slot.end)}
+        named = {(slot.start, slot.end) for slot in reading.slots}
+        for start in (at for at, word in enumerate(words) if word in self._leading and at not in free | inner):
+            last = min(start + 2 + _MOST_WORDS, len(words) + 1)
+            last = next((at + 1 for at in range(start + 1, last - 1) if at in free), last)
+            ends = [end for end in range(start + 2, last) if end not in inner and (start + 1, end) not in named]
+            if not one:
+                ends = [end for end in ends if self._are_several(reading, start + 1, end)]
+            ways = [words[start:end] for end in reversed(ends)]
+            if ways:
+                yield NameSaid(ways, is_meant=True)
+
+    def _numbered(self, reading: Reading) -> Iterator[NameSaid]:
+        """Things that are called by the number behind their noun: "vent 3"."""
+        words, held = reading.words, {at for slot in reading.slots for at in range(slot.start, slot.end)}
+        for slot in (one for one in reading.slots if one.slot.type == "number" and not one.slot.units):
+            noun = slot.start - 1
+            if noun < 1 or noun in held or words[noun] in self._no_noun:
+                continue
+            name = words[noun : slot.end]
+            yield NameSaid([(*article, *name) for article in self._articles_of(name, [])], is_meant=True)
 
     def _with_name(self, core: Utterance, name: Sequence[str]) -> Utterance:
         said, place = core, 0

@@ -125,6 +125,11 @@ SINGLY = {
         "lift your left hand and your right foot": ["lift your left hand", "lift your right foot"],
         "drive to the kitchen and the hall": ["drive to the kitchen", "drive to the hall"],
         "stir the red and the blue paint": ["stir the red paint", "stir the blue paint"],
+        "paint the fence red, then blue": ["paint the fence red", "paint the fence blue"],
+        "paint the fence red and then blue and then white": [
+            "paint the fence red", "paint the fence blue", "paint the fence white",
+        ],
+        "lift your left hand then foot": ["lift your left hand", "lift your left foot"],
         "turn the fan on and the pump off, then open the first and the third window": [
             "turn the fan on", "turn the pump off", "open the first window", "open the third window",
         ],
