@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import logging
 import os
 import signal
 import subprocess
@@ -88,13 +89,52 @@ def intent_engine(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[s
     return run
 
 
+@pytest.fixture
+def in_process(monkeypatch: pytest.MonkeyPatch) -> Callable[..., subprocess.CompletedProcess[str]]:
+    """The same command line within this process, many times as quick: for what it says, where neither its start and end
+    nor its streams are what is tested. It reads nothing. Raises what would have been a traceback."""
+
+    def run(*args: object, cwd: Path = ROOT, **env: str) -> subprocess.CompletedProcess[str]:
+        from typer.testing import CliRunner
+
+        from intent_engine.cli import app
+
+        monkeypatch.chdir(cwd)
+        log = logging.getLogger("intent_engine")
+        handlers = [*log.handlers]
+        try:
+            done = CliRunner().invoke(app, [*map(str, args)], env=env)
+        finally:
+            log.handlers[:] = handlers
+        if done.exception is not None and not isinstance(done.exception, SystemExit):
+            raise done.exception
+        return subprocess.CompletedProcess([*map(str, args)], done.exit_code, done.stdout, done.stderr)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def hurried(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A grammar of a robot that has driven two meters in a second: for tests that must wait until it has."""
+    file = tmp_path_factory.mktemp("grammar") / "hurried.yaml"
+    file.write_text(
+        "language: en\nslots: {distance: {type: distance}}\nintents:\n"
+        "  go: {action: {type: move, direction: forward, speed: 2}, sentences: ['go forward {distance}']}\n"
+    )
+    return file
+
+
+QUIET = 0.6
+"""s before something is said into a pipe; what begins within half a second may be the rest of something else."""
+
+
 @pytest.fixture(scope="session")
 def speak() -> Callable[[IO[bytes], np.ndarray], None]:
     """Write sound at 16 kHz into a pipe while it is heard at its other end, after a moment of quiet: what comes at once
     was not said there and then."""
 
     def write(pipe: IO[bytes], samples: np.ndarray) -> None:
-        sound = np.concatenate((np.zeros(12_800), samples))
+        sound = np.concatenate((np.zeros(int(QUIET * 16_000)), samples))
         with contextlib.suppress(BrokenPipeError):
             for start in range(0, sound.size, 1_600):
                 pipe.write((sound[start : start + 1_600] * 32_767).astype("<i2").tobytes())

@@ -16,8 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.language.grammar import Place as Where
-from intent_engine.language.grammar import problem_at
 from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.several_names import on_several_lines
@@ -112,19 +110,17 @@ class LocationMap(Mapping[str, Location]):
 
     def problem(self, name: str, message: str, hint: str | None = None) -> Problem:
         """What is doubtful about a place, at its line where a file has it by its name."""
-        if name in self._lines:
-            return problem_at(self._lines[name], message, hint)
+        if name in self._tellers:
+            return self._tellers[name]("", message, hint)
         return Problem(message, self.files[0] if len(self.files) == 1 else None, hint=hint)
 
     @cached_property
-    def _lines(self) -> Mapping[str, Where]:
-        """Where each place stands. The files are read for it once more: it is asked for where something is doubtful."""
-        found: dict[str, Where] = {}
-        for file in self.files:
-            source = read_yaml(file) if Path(file).suffix.lower() != ".csv" else YamlSource(file)
-            rows = source.data.get("locations") if isinstance(source.data, dict) else None
-            for name in rows if isinstance(rows, dict) else ():
-                found.setdefault(name, source.place(("locations", name), key=True))
+    def _tellers(self) -> Mapping[str, Teller]:
+        """Tells of each place where it stands. The files are read for it once more: it is asked for where something is
+        doubtful."""
+        found: dict[str, Teller] = {}
+        for row in (row for file in self.files for row in _rows(Path(file))):
+            found.setdefault(row.name, row.tell)
         return found
 
     @cached_property
@@ -254,6 +250,15 @@ def _draft(source: YamlSource) -> Draft:
             rows.append(Row(name, pose, _teller(source, path)))
     draft.rows = rows
     return draft
+
+
+def _rows(path: Path) -> Iterable[Row]:
+    """The places of a file that was read without a fault."""
+    source = read_yaml(path) if path.suffix.lower() != ".csv" else None
+    places = source.data.get("locations") if source is not None and isinstance(source.data, dict) else None
+    if source is None or not isinstance(places, dict):
+        return _carefully(path).rows
+    return [Row(name, pose, _teller(source, ("locations", name))) for name, pose in places.items()]
 
 
 def _lines(source: YamlSource, path: YamlPath, pose: dict[str, Any]) -> Iterator[int]:

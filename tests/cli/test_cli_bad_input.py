@@ -16,6 +16,8 @@ import soundfile
 
 RATE = 16_000
 ROOT = Path(__file__).resolve().parent.parent.parent
+SMALL = "examples/custom_command.yaml"
+"""A grammar that is checked in a moment."""
 
 
 def _speech(seconds: float) -> np.ndarray:
@@ -92,9 +94,9 @@ RECORDINGS = {
 
 
 @pytest.mark.parametrize("case", RECORDINGS)
-def test_recordings(intent_engine, tmp_path, case):
+def test_recordings(in_process, tmp_path, case):
     make, says = RECORDINGS[case]
-    done = intent_engine("run", make(tmp_path), cwd=ROOT)
+    done = in_process("run", make(tmp_path), cwd=ROOT)
     _one_error(done, 3, says)
 
 
@@ -112,10 +114,10 @@ GRAMMARS = {
 
 @pytest.mark.parametrize("verb", [["parse", "stop"], ["run", "examples/demo.flac"]], ids=["parse", "run"])
 @pytest.mark.parametrize("case", GRAMMARS)
-def test_grammars(intent_engine, tmp_path, verb, case):
+def test_grammars(in_process, tmp_path, verb, case):
     text, says = GRAMMARS[case]
     path = _config(tmp_path, text)
-    done = intent_engine(*verb, "--grammar", path)
+    done = in_process(*verb, "--grammar", path)
     _one_error(done, 2, says)
 
 
@@ -133,21 +135,21 @@ MAPS = {
 
 
 @pytest.mark.parametrize("case", MAPS)
-def test_maps(intent_engine, tmp_path, case):
+def test_maps(in_process, tmp_path, case):
     text, says = MAPS[case]
-    done = intent_engine("parse", "--locations", _config(tmp_path, text), "go to the kitchen")
+    done = in_process("parse", "--locations", _config(tmp_path, text), "go to the kitchen")
     _one_error(done, 2, says)
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read every file")
-def test_a_grammar_without_permission(intent_engine, tmp_path):
+def test_a_grammar_without_permission(in_process, tmp_path):
     path = _config(tmp_path, "language: en\n")
     path.chmod(0)
-    _one_error(intent_engine("parse", "--grammar", path, "stop"), 2, "permission")
+    _one_error(in_process("parse", "--grammar", path, "stop"), 2, "permission")
 
 
-def test_a_model_that_is_not_there(intent_engine, tmp_path):
-    _one_error(intent_engine("run", "--model", tmp_path / "none", "examples/demo.flac"), 5, "no model folder")
+def test_a_model_that_is_not_there(in_process, tmp_path):
+    _one_error(in_process("run", "--model", tmp_path / "none", "examples/demo.flac"), 5, "no model folder")
 
 
 @pytest.mark.parametrize(
@@ -252,8 +254,8 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_wrong_options(intent_engine, args, says):
-    done = intent_engine(*args, COLUMNS="200")
+def test_wrong_options(in_process, args, says):
+    done = in_process(*args, COLUMNS="200")
     _one_error(done, 2, says)
     assert done.stderr.startswith(f"error: {says}")
 
@@ -282,7 +284,15 @@ FULL = pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/ful
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize(
     "command",
-    ["parse stop", "parse --json stop", "check en", "doctor", "--help", "--version", "run --json examples/demo.flac"],
+    [
+        "parse stop",
+        "parse --json stop",
+        f"check {SMALL}",
+        "doctor",
+        "--help",
+        "--version",
+        "run --json examples/demo.flac",
+    ],
 )
 def test_standard_output_on_a_full_disk(command, unbuffered):
     done = subprocess.run(
@@ -297,7 +307,7 @@ def test_standard_output_on_a_full_disk(command, unbuffered):
     assert done.returncode == 2
 
 
-@pytest.mark.parametrize("command", ["parse stop", "parse --json stop", "check en", "--help"])
+@pytest.mark.parametrize("command", ["parse stop", "parse --json stop", f"check {SMALL}", "--help"])
 def test_standard_output_that_is_closed(command):
     line = f"{sys.executable} -m intent_engine.cli {command} >&-"
     done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
@@ -334,7 +344,7 @@ def test_what_cannot_be_told_on_standard_error_changes_no_exit_code(command, cod
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such pipes; CI is Linux, and runs it")
 @pytest.mark.parametrize("colours", ["", "1"])
-@pytest.mark.parametrize("command", ["sample -n 300", "--help", "check --notes en"])
+@pytest.mark.parametrize("command", ["sample -n 300", "--help", f"check --notes {SMALL}"])
 def test_a_reader_that_goes_away(command, colours):
     """Also where Rich writes, and Typer: they would end the program in ways of their own."""
     with subprocess.Popen(
@@ -376,18 +386,18 @@ def test_standard_input_that_is_closed(command, code, said):
         (".", "--plot: . is a folder"),
     ],
 )
-def test_a_picture_that_cannot_be_drawn_is_told_before_anything_moves(intent_engine, name, said):
-    done = intent_engine("run", "examples/demo.flac", "--plot", name)
+def test_a_picture_that_cannot_be_drawn_is_told_before_anything_moves(in_process, name, said):
+    done = in_process("run", "examples/demo.flac", "--plot", name)
     assert (done.returncode, done.stdout) == (2, "")
     assert said in done.stderr
 
 
-def test_raw_samples_in_a_file(intent_engine, tmp_path):
+def test_raw_samples_in_a_file(in_process, tmp_path):
     (tmp_path / "x.raw").write_bytes((32_767 * _speech(4.0)).astype("<i2").tobytes())
-    untold = intent_engine("run", tmp_path / "x.raw")
+    untold = in_process("run", tmp_path / "x.raw")
     assert (untold.returncode, untold.stdout) == (3, "")
     assert "give --rate and --format" in untold.stderr
-    assert intent_engine("run", tmp_path / "x.raw", "--rate", RATE, "--format", "s16le").returncode == 0
+    assert in_process("run", tmp_path / "x.raw", "--rate", RATE, "--format", "s16le").returncode == 0
 
 
 def test_how_long_nobody_speaks_in_a_pipe(intent_engine):
@@ -397,8 +407,8 @@ def test_how_long_nobody_speaks_in_a_pipe(intent_engine):
 
 
 @pytest.mark.parametrize("words", [["test"], ["run"], ["evaluate"], ["parse", "stop", "--grammar"]])
-def test_a_sentence_where_a_file_belongs_is_no_fault_of_the_program(intent_engine, words):
-    done = intent_engine(*words, "turn left and " * 25)
+def test_a_sentence_where_a_file_belongs_is_no_fault_of_the_program(in_process, words):
+    done = in_process(*words, "turn left and " * 25)
     assert done.returncode in (2, 3)
     assert done.stderr.startswith("error: ")
     assert "turn left" in done.stderr

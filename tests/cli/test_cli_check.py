@@ -40,9 +40,9 @@ def grammar(tmp_path):
     ],
     ids=["fine", "doubtful", "strict", "broken", "failing"],
 )
-def test_the_exit_code_is_the_answer(intent_engine, grammar, text, options, code, says):
+def test_the_exit_code_is_the_answer(in_process, grammar, text, options, code, says):
     path = grammar(text)
-    done = intent_engine("check", *options, path)
+    done = in_process("check", *options, path)
     assert says.format(path) in done.stdout
     assert (done.returncode, done.stderr) == (code, "")
 
@@ -63,79 +63,79 @@ intents:
 """
 
 
-def test_examples_of_places_that_the_map_has_not_are_not_tried(intent_engine, grammar):
+def test_examples_of_places_that_the_map_has_not_are_not_tried(in_process, grammar):
     path, places = grammar(PLACES), grammar("locations: {lab: {x: 1, y: 2}, yard: {x: 3, y: 2}}\n", "map.yaml")
-    done = intent_engine("check", "--notes", "--locations", places, path)
+    done = in_process("check", "--notes", "--locations", places, path)
     assert done.returncode == 0
     assert "0 errors, 0 warnings, 3 examples of other places not tried" in done.stdout
     assert f"note: {path}:9:9: the example 'go to the hall' was not tried: no place" in done.stdout
-    tested = intent_engine("test", "--locations", places, path)
+    tested = in_process("test", "--locations", places, path)
     assert (tested.returncode, tested.stdout.strip()) == (0, "5 examples: 2 passed, 0 failed, 3 not tried")
     assert "places that the map has not: hall, shed, workbench;" in tested.stderr
 
 
-def test_a_name_that_its_own_map_has_not_fails(intent_engine, grammar):
+def test_a_name_that_its_own_map_has_not_fails(in_process, grammar):
     places = grammar("locations: {lab: {x: 1, y: 2}, hall: {x: 3, y: 2}, shed: {x: 4, y: 2}}\n", "map.yaml")
-    tested = intent_engine("test", "--locations", places, grammar(PLACES))
+    tested = in_process("test", "--locations", places, grammar(PLACES))
     assert tested.returncode == 1
     assert "5 examples: 4 passed, 1 failed" in tested.stdout
 
 
-def test_a_slip_in_the_name_of_a_place_is_no_other_place(intent_engine, grammar):
+def test_a_slip_in_the_name_of_a_place_is_no_other_place(in_process, grammar):
     path, places = (
         grammar(PLACES.replace("goal: hall", "goal: halll")),
         grammar("locations: {lab: {x: 1, y: 2}, hall: {x: 3, y: 2}, shed: {x: 3, y: 4}}\n", "map.yaml"),
     )
-    done = intent_engine("check", "--locations", places, path)
+    done = in_process("check", "--locations", places, path)
     assert done.returncode == 1
     assert "slots.goal should be halll, is hall" in done.stdout
 
 
-def test_a_place_that_is_nearly_called_like_another_is_of_another_map(intent_engine):
+def test_a_place_that_is_nearly_called_like_another_is_of_another_map(in_process):
     """ "Küche" and "kitchen" have two letters of three in common."""
-    done = intent_engine("check", "--notes", "-g", "en", "-g", "de")
+    done = in_process("check", "--notes", "-g", "en", "-g", "de")
     assert done.returncode == 0, done.stdout
     assert "note: grammars/de.yaml:" in done.stdout
     assert "'fahr in die Küche' was not tried: no place of the map is called 'küche'" in done.stdout
-    tested = intent_engine("test", "de")
+    tested = in_process("test", "de")
     assert tested.returncode == 0, tested.stdout
     assert "places that the map has not: küche, " in tested.stderr
 
 
-def test_a_grammar_may_be_named_as_other_verbs_take_it(intent_engine, grammar):
+def test_a_grammar_may_be_named_as_other_verbs_take_it(in_process, grammar):
     paths = [grammar(FINE), grammar(DOUBTFUL, "h.yaml")]
-    by_option = intent_engine("check", paths[0], "--grammar", paths[1])
+    by_option = in_process("check", paths[0], "--grammar", paths[1])
     assert "0 errors, 1 warning" in by_option.stdout
-    assert by_option.stdout == intent_engine("check", *paths).stdout
+    assert by_option.stdout == in_process("check", *paths).stdout
 
 
-def test_one_bad_file_does_not_disturb_another(intent_engine, grammar):
-    done = intent_engine("check", grammar(BROKEN, "bad.yaml"), grammar(FINE, "good.yaml"))
+def test_one_bad_file_does_not_disturb_another(in_process, grammar):
+    done = in_process("check", grammar(BROKEN, "bad.yaml"), grammar(FINE, "good.yaml"))
     assert done.returncode == 1
     assert "bad.yaml:5" in done.stdout
     assert "good.yaml (en)" in done.stdout
     assert "1 error, 0 warnings" in done.stdout
 
 
-def test_files_may_be_checked_together(intent_engine, grammar):
+def test_files_may_be_checked_together(in_process, grammar):
     one, other = (
         grammar(FINE, "a.yaml"),
         grammar(FINE.replace("wave", "bow").replace("bow [", "(wave|bow) ["), "b.yaml"),
     )
-    assert "0 warnings" in intent_engine("check", one, other).stdout
-    assert "1 warning" in intent_engine("check", "--together", one, other).stdout
+    assert "0 warnings" in in_process("check", one, other).stdout
+    assert "1 warning" in in_process("check", "--together", one, other).stdout
 
 
-def test_notes_are_told_when_asked_for(intent_engine, grammar):
+def test_notes_are_told_when_asked_for(in_process, grammar):
     text = FINE + "  all: {action: {type: custom, name: all}, sentences: ['wave at {thing}']}\nslots: {thing: text}\n"
-    done = intent_engine("check", grammar(text))
+    done = in_process("check", grammar(text))
     assert "--notes tells 1 note" in done.stdout
     assert "note:" not in done.stdout
-    assert "note: " in intent_engine("check", "--notes", grammar(text)).stdout
+    assert "note: " in in_process("check", "--notes", grammar(text)).stdout
 
 
-def test_json(intent_engine, grammar):
-    done = intent_engine("check", "--json", grammar(DOUBTFUL), grammar(BROKEN, "bad.yaml"))
+def test_json(in_process, grammar):
+    done = in_process("check", "--json", grammar(DOUBTFUL), grammar(BROKEN, "bad.yaml"))
     first, second = map(json.loads, done.stdout.splitlines())
     assert done.returncode == 1
     assert (first["ok"], second["ok"]) == (True, False)
@@ -146,15 +146,15 @@ def test_json(intent_engine, grammar):
     assert second["figures"] == []
 
 
-def test_a_missing_grammar_is_an_error(intent_engine):
-    done = intent_engine("check", "nowhere.yaml")
+def test_a_missing_grammar_is_an_error(in_process):
+    done = in_process("check", "nowhere.yaml")
     assert done.returncode == 2, "there is nothing to be checked"
     assert done.stderr.startswith("error: nowhere.yaml: no such file\n")
     assert done.stdout == ""
 
 
-def test_an_explanation_in_words(intent_engine):
-    done = intent_engine("parse", "--explain", "uh go to the kitchn please")
+def test_an_explanation_in_words(in_process):
+    done = in_process("parse", "--explain", "uh go to the kitchn please")
     assert done.returncode == 0
     for line in (
         "words: uh go to the kitchn please",
@@ -187,7 +187,7 @@ def test_an_explanation_as_json(intent_engine):
     ],
     ids=["English", "German", "examples", "coffee"],
 )
-def test_what_is_shipped_is_checked(intent_engine, files, warnings):
-    done = intent_engine("check", *files)
+def test_what_is_shipped_is_checked(in_process, files, warnings):
+    done = in_process("check", *files)
     assert done.returncode == 0, done.stdout
     assert f"0 errors, {warnings} warning" in done.stdout

@@ -108,29 +108,29 @@ def test_a_model_alone(intent_engine):
         ),
     ],
 )
-def test_mistakes(intent_engine, arguments, code, said):
-    done = intent_engine("evaluate", *arguments)
+def test_mistakes(in_process, arguments, code, said):
+    done = in_process("evaluate", *arguments)
     assert done.returncode == code, done.stderr
     assert said in done.stderr
     assert "Traceback" not in done.stderr
     assert done.stdout == ""
 
 
-def test_a_file_of_before_is_kept_until_there_is_another(intent_engine, tmp_path):
+def test_a_file_of_before_is_kept_until_there_is_another(in_process, tmp_path):
     (tmp_path / "out.csv").write_text("before")
-    done = intent_engine("evaluate", "nowhere", "--csv", tmp_path / "out.csv", "--plot", tmp_path / "out.png")
+    done = in_process("evaluate", "nowhere", "--csv", tmp_path / "out.csv", "--plot", tmp_path / "out.png")
     assert done.returncode == 2
     assert [path.name for path in tmp_path.iterdir()] == ["out.csv"]
     assert (tmp_path / "out.csv").read_text() == "before"
 
 
-def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_path):
+def test_a_sound_file_that_is_cut_off_is_told_with_its_line(in_process, tmp_path):
     soundfile.write(tmp_path / "good.wav", np.zeros(16_000), 16_000)
     whole = (tmp_path / "good.wav").read_bytes()
     (tmp_path / "cut.wav").write_bytes(whole[: len(whole) // 2])
     labels = [{"audio": name, "text": "stop"} for name in ("good.wav", "cut.wav")]
     (tmp_path / "labels.jsonl").write_text("\n".join(map(json.dumps, labels)))
-    done = intent_engine("evaluate", tmp_path)
+    done = in_process("evaluate", tmp_path)
     assert done.returncode == 3
     assert f"{tmp_path / 'labels.jsonl'}:2: {tmp_path / 'cut.wav'}: is cut off" in done.stderr
 

@@ -143,8 +143,10 @@ def test_without_a_terminal(monkeypatch):
 
 def test_push_to_talk(tmp_path):
     """A whole process on a terminal: nothing is heard until the key is pressed, and q ends it."""
-    samples, _ = soundfile.read(ROOT / "examples" / "demo.flac", start=RATE, stop=int(3.6 * RATE), dtype="float32")
-    soundfile.write(tmp_path / "said.wav", np.concatenate((np.zeros(RATE), samples)), RATE)
+    samples, _ = soundfile.read(
+        ROOT / "examples" / "demo.flac", start=int(1.2 * RATE), stop=int(3.6 * RATE), dtype="float32"
+    )
+    soundfile.write(tmp_path / "said.wav", np.concatenate((np.zeros(RATE * 3 // 5), samples)), RATE)
     typed, screen = pty.openpty()
     played = {"PYTHONPATH": str(ROOT / "tests" / "speech" / "played_microphone"), "PLAYED": str(tmp_path / "said.wav")}
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "listen", "--push-to-talk", "--json", "--no-reflex"]

@@ -21,13 +21,15 @@ from intent_engine.cli.session import Session
 ROOT = Path(__file__).resolve().parent.parent.parent
 RATE = 16_000
 PLAYED = ROOT / "tests" / "speech" / "played_microphone"
+NEAR = 0.2
+"""m by which a hurried robot goes too far that stands a tenth of a second late, as on a busy machine."""
 
 
 @pytest.fixture(scope="module")
 def go_forward() -> np.ndarray:
-    """ "go forward two meters", without the quiet before it."""
+    """ "go forward two meters", with next to no quiet around it: some tests wait as long as it takes to say."""
     samples, _ = soundfile.read(
-        ROOT / "examples" / "demo.flac", start=int(1.0 * RATE), stop=int(3.6 * RATE), dtype="float32"
+        ROOT / "examples" / "demo.flac", start=int(1.2 * RATE), stop=int(3.4 * RATE), dtype="float32"
     )
     return samples
 
@@ -62,20 +64,20 @@ def test_a_wav_file_from_a_pipe_says_its_own_format(intent_engine, tmp_path, go_
     assert end_of(done)["pose"]["x"] == pytest.approx(2.0)
 
 
-def test_listen_to_a_pipe_in_real_time(spoken_to, go_forward):
-    done = spoken_to(go_forward, "--json")
+def test_listen_to_a_pipe_in_real_time(spoken_to, go_forward, hurried):
+    done = spoken_to(go_forward, "--json", "--grammar", hurried)
     assert done.returncode == 0, done.stderr
     assert "listening to standard input" in done.stderr
     states = [event["state"] for event in events(done) if event["event"] == "goal"]
     assert states[-1] == "succeeded"
-    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=NEAR)
 
 
 def test_what_was_said_before_it_listened_is_not_done_and_told(spoken_to, go_forward):
     """While models are loaded; and whoever writes the pipe need not wait until they are."""
     before = go_forward
     assert len(raw(before)) > 1 << 16, "more than a pipe holds"
-    done = spoken_to(np.zeros(RATE), "--json", "--no-reflex", before=before)
+    done = spoken_to(np.zeros(RATE // 10), "--json", "--no-reflex", before=before)
     assert done.returncode == 0, done.stderr
     told = events(done)
     (early,) = [event for event in told if event["event"] == "source"]
@@ -85,22 +87,23 @@ def test_what_was_said_before_it_listened_is_not_done_and_told(spoken_to, go_for
 
 
 @pytest.mark.parametrize("seconds", [pytest.param(0, id="short"), pytest.param(20, id="long", marks=pytest.mark.slow)])
-def test_a_recording_that_is_piped_into_it_is_heard(intent_engine, go_forward, seconds):
+def test_a_recording_that_is_piped_into_it_is_heard(intent_engine, go_forward, hurried, seconds):
     """It ends before anybody listens, or brings more than time has gone by: no microphone does."""
     sound = np.concatenate([np.zeros(seconds * RATE, np.float32), go_forward])
-    done = intent_engine("listen", "--pcm", "-", "--json", "--no-reflex", stdin=raw(sound))
+    done = intent_engine("listen", "--pcm", "-", "--json", "--no-reflex", "--grammar", hurried, stdin=raw(sound))
     assert done.returncode == 0, done.stderr
-    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=NEAR)
     (ended,) = [event["speech_ended"] for event in events(done) if event["event"] == "transcript"]
     assert seconds + 1.0 < ended < seconds + 3.0, "where it ends in the recording"
 
 
-def test_a_recording_from_a_pipe_at_its_own_speed(intent_engine, go_forward):
-    done = intent_engine("run", "-", "--realtime", "--json", "--no-reflex", stdin=raw(go_forward))
+def test_a_recording_from_a_pipe_at_its_own_speed(intent_engine, go_forward, hurried):
+    options = ("--realtime", "--json", "--no-reflex", "--grammar", hurried)
+    done = intent_engine("run", "-", *options, stdin=raw(go_forward))
     assert done.returncode == 0, done.stderr
-    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=NEAR)
     (ended,) = [event["speech_ended"] for event in events(done) if event["event"] == "transcript"]
-    assert 1.5 < ended < 3.0, "where it ends in the recording"
+    assert 1.0 < ended < 3.0, "where it ends in the recording"
 
 
 def driven(lines: Path) -> tuple[float, list[dict]]:
@@ -118,13 +121,13 @@ DRIVING = [
 
 
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
-def test_listen_drives_another_process(spoken_to, tmp_path, go_forward, options):
+def test_listen_drives_another_process(spoken_to, tmp_path, go_forward, hurried, options):
     lines = tmp_path / "commands.jsonl"
-    done = spoken_to(go_forward, "--json", "--no-reflex", "--drive", lines, *options)
+    done = spoken_to(go_forward, "--json", "--no-reflex", "--grammar", hurried, "--drive", lines, *options)
     assert done.returncode == 0, done.stderr
     assert [event["state"] for event in events(done) if event["event"] == "goal"][-1] == "succeeded"
     far, written = driven(lines)
-    assert far == pytest.approx(2.0, abs=0.1)
+    assert far == pytest.approx(2.0, abs=2 * NEAR)
     last = written[-1].get("velocity", {"linear": 0.0, "angular": 0.0})
     assert (last["linear"], last["angular"]) == (0.0, 0.0)
 
@@ -148,7 +151,7 @@ def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     read, write = os.pipe()
     with driving(write, options) as process:
         try:
-            speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
+            speak(process.stdin, go_forward)
             assert os.read(read, 1)
             os.close(read)
             assert process.wait(60) == 6
@@ -168,13 +171,13 @@ def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
 )
 @pytest.mark.parametrize("options", DRIVING)
 def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
-    """Its pipe stays open, and takes two seconds of velocities."""
+    """Its pipe stays open, and takes a second of velocities."""
     fcntl = pytest.importorskip("fcntl")
     read, write = os.pipe()
-    fcntl.fcntl(write, fcntl.F_SETPIPE_SZ, 8192)
+    fcntl.fcntl(write, fcntl.F_SETPIPE_SZ, 4096)
     with driving(write, options) as process:
         try:
-            speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
+            speak(process.stdin, go_forward)
             assert process.wait(60) == 6
         finally:
             process.kill()
@@ -226,7 +229,7 @@ def test_noise_reduction_as_an_option(intent_engine, go_forward):
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process; CI is Linux, and runs it")
 def test_a_microphone_until_ctrl_c(tmp_path, go_forward):
     """A process of its own, in real time: the robot is on its way when Ctrl-C comes."""
-    soundfile.write(tmp_path / "said.wav", np.concatenate([np.zeros(RATE, np.float32), go_forward]), RATE)
+    soundfile.write(tmp_path / "said.wav", np.concatenate([np.zeros(RATE * 3 // 5), go_forward]), RATE)
     environment = {**os.environ, "PYTHONPATH": str(PLAYED), "PLAYED": str(tmp_path / "said.wav")}
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "listen", "--json"]
     with subprocess.Popen(
@@ -336,8 +339,9 @@ def test_without_portaudio(intent_engine, tmp_path, args):
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_what_goes_wrong(args, code, says):
-    done = _without_a_terminal(args, fake("none"))
+def test_what_goes_wrong(in_process, args, code, says):
+    outside = args[0] == "listen" or "-" in args  # what hears, reads or looks for a terminal
+    done = _without_a_terminal(args, fake("none")) if outside else in_process(*args)
     assert done.returncode == code, done.stdout + done.stderr
     assert f"error: {says}" in done.stderr
     assert done.stderr.count("error: ") == 1

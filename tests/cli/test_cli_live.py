@@ -16,9 +16,9 @@ pty = pytest.importorskip("pty", reason="needs a pseudo terminal")
 
 @pytest.fixture
 def short(root: Path, tmp_path: Path) -> Path:
-    """ "go forward two meters", 5 s."""
+    """ "go forward two meters", 2 s."""
     samples, rate = soundfile.read(root / "examples" / "demo.flac", dtype="float32")
-    soundfile.write(tmp_path / "short.wav", samples[: 5 * rate], rate)
+    soundfile.write(tmp_path / "short.wav", samples[int(1.2 * rate) : int(3.2 * rate)], rate)
     return tmp_path / "short.wav"
 
 
@@ -43,23 +43,27 @@ def on_a_terminal(command: list[str], *, cwd: Path, **env: str) -> tuple[int, st
     return running.returncode, shown.decode("utf-8", "replace")
 
 
-def test_the_way_is_drawn_again_while_the_robot_goes(root: Path, short: Path) -> None:
-    command = [sys.executable, "-m", "intent_engine.cli", "run", "--realtime", "--live", "--no-reflex", str(short)]
+def test_the_way_is_drawn_again_while_the_robot_goes(root: Path, short: Path, hurried: Path) -> None:
+    command = [sys.executable, "-m", "intent_engine.cli", "run", "--realtime", "--live", "--no-reflex"]
+    command += ["--grammar", str(hurried), str(short)]
     code, text = on_a_terminal(command, cwd=root, OPENBLAS_NUM_THREADS="1", COLUMNS="100", LINES="40")
     assert code == 0
     assert text.count("o start") > 4
     assert "done" in text
 
 
-def test_in_a_file_nothing_is_drawn(intent_engine, short: Path) -> None:
-    done = intent_engine("run", "--realtime", "--live", "--no-reflex", short)
+def test_in_a_file_nothing_is_drawn(intent_engine, short: Path, hurried: Path) -> None:
+    done = intent_engine("run", "--realtime", "--live", "--no-reflex", "--grammar", hurried, short)
     assert done.returncode == 0
     assert "o start" not in done.stdout
 
 
 @pytest.mark.slow
-def test_colours_that_are_forced_into_a_file_bring_nothing_that_moves(intent_engine, short: Path) -> None:
-    done = intent_engine("run", "--realtime", "--live", "--no-reflex", short, FORCE_COLOR="1")
+def test_colours_that_are_forced_into_a_file_bring_nothing_that_moves(
+    intent_engine, short: Path, hurried: Path
+) -> None:
+    options = ("--realtime", "--live", "--no-reflex", "--grammar", hurried)
+    done = intent_engine("run", *options, short, FORCE_COLOR="1")
     assert done.returncode == 0
     assert "o start" not in done.stdout
     assert "\x1b[?25l" not in done.stdout, "the cursor stays"
@@ -91,7 +95,7 @@ def test_no_bar_where_standard_error_is_no_terminal(root: Path) -> None:
     assert done.stderr == b""
 
 
-def test_it_needs_time(intent_engine, short: Path) -> None:
-    done = intent_engine("run", "--live", short)
+def test_it_needs_time(in_process, short: Path) -> None:
+    done = in_process("run", "--live", short)
     assert done.returncode == 2
     assert "--realtime" in done.stderr

@@ -94,8 +94,11 @@ def test_a_fault_of_the_program_ends_it_as_well_and_nobody_waits_for_ever():
 
 @pytest.fixture(scope="module")
 def commands() -> bytes:
-    """The beginning of the demo, in which a robot is told to drive two meters; it stands again after seven seconds."""
-    samples, rate = soundfile.read(ROOT / "examples" / "demo.flac", frames=10 * RATE, dtype="float32")
+    """Five seconds, in which a hurried robot is told to drive two meters; it stands again after three."""
+    samples, rate = soundfile.read(
+        ROOT / "examples" / "demo.flac", start=int(1.2 * RATE), frames=5 * RATE, dtype="float32"
+    )
+    samples[2 * RATE :] = 0
     assert rate == RATE
     return (samples * 32_767).astype("<i2").tobytes()
 
@@ -106,7 +109,7 @@ def commands() -> bytes:
 @pytest.mark.parametrize(
     "options", [pytest.param(["--json"], id="json"), pytest.param([], id="text", marks=pytest.mark.slow)]
 )
-def test_a_reader_that_stands_still_holds_up_no_command(commands, tmp_path, options):
+def test_a_reader_that_stands_still_holds_up_no_command(commands, tmp_path, hurried, options):
     import fcntl
 
     lines = tmp_path / "commands.jsonl"
@@ -114,6 +117,7 @@ def test_a_reader_that_stands_still_holds_up_no_command(commands, tmp_path, opti
     fcntl.fcntl(writes, fcntl.F_SETPIPE_SZ, 4096)
     os.write(writes, bytes(4096))  # nobody has read it, and nobody will
     command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--drive", str(lines), "--no-reflex"]
+    command += ["--grammar", str(hurried)]
     with subprocess.Popen(
         [*command, *options], cwd=ROOT, stdin=subprocess.PIPE, stdout=writes, stderr=subprocess.PIPE
     ) as process:

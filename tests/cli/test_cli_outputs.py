@@ -38,9 +38,9 @@ def folder(tmp_path):
         "evaluate . -r robot.yaml --csv robot.yaml",
     ],
 )
-def test_what_is_read_is_not_written_over(intent_engine, root, folder, command):
+def test_what_is_read_is_not_written_over(in_process, root, folder, command):
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
-    done = intent_engine(*command.split(), cwd=folder, PYTHONPATH=str(root))
+    done = in_process(*command.split(), cwd=folder, PYTHONPATH=str(root))
     *_, option, name = command.split()
     assert done.returncode == 2, done.stdout + done.stderr
     says = f"error: {option}: {Path(name)} is read by the same command, and would be lost\n    give another name\n"
@@ -49,8 +49,8 @@ def test_what_is_read_is_not_written_over(intent_engine, root, folder, command):
 
 
 @pytest.mark.parametrize("command", ["run a.wav --journal -", "listen --pcm a.wav --drive -", "evaluate . --csv -"])
-def test_a_stream_is_no_file_of_that_name(intent_engine, root, folder, command):
-    done = intent_engine(*command.split(), cwd=folder, PYTHONPATH=str(root))
+def test_a_stream_is_no_file_of_that_name(in_process, root, folder, command):
+    done = in_process(*command.split(), cwd=folder, PYTHONPATH=str(root))
     assert done.returncode == 2, done.stdout + done.stderr
     assert f"{command.split()[-2]}: - is no file, and standard output is not written to\n    give the n" in done.stderr
     assert not (folder / "-").exists()
@@ -65,8 +65,8 @@ def test_what_is_no_file_may_be_read_and_written():
     check_apart({"--csv": Path("/dev/null"), "--plot": None}, [Path("/dev/null")])
 
 
-def test_a_journal_that_cannot_be_written_is_told_before_a_model_is_loaded(intent_engine, tmp_path):
-    done = intent_engine("run", "--model", "nope", "--journal", tmp_path, "examples/demo.flac")
+def test_a_journal_that_cannot_be_written_is_told_before_a_model_is_loaded(in_process, tmp_path):
+    done = in_process("run", "--model", "nope", "--journal", tmp_path, "examples/demo.flac")
     assert done.returncode == 2
     assert f"error: --journal: {tmp_path} is a folder\n    give the name of a file in it\n" in done.stderr
 

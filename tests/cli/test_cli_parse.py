@@ -11,8 +11,8 @@ import pytest
 KEYS = ["text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason"]
 
 
-def test_a_sentence_and_its_action(intent_engine):
-    done = intent_engine("parse", "go forward two meters")
+def test_a_sentence_and_its_action(in_process):
+    done = in_process("parse", "go forward two meters")
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     assert "accepted: move direction=forward distance=2" in done.stdout
@@ -29,8 +29,8 @@ def test_a_sentence_and_its_action(intent_engine):
         ("", 1, "rejected"),
     ],
 )
-def test_json_has_exactly_the_eight_keys_and_the_code_says_whether_it_was_accepted(intent_engine, text, code, status):
-    done = intent_engine("parse", "--json", text)
+def test_json_has_exactly_the_eight_keys_and_the_code_says_whether_it_was_accepted(in_process, text, code, status):
+    done = in_process("parse", "--json", text)
     assert done.returncode == code
     (line,) = done.stdout.splitlines()
     found = json.loads(line)
@@ -71,8 +71,8 @@ def test_a_megabyte_without_a_line_end(intent_engine):
 
 
 @pytest.mark.parametrize("verb", ["parse", "complete"])
-def test_a_long_argument(intent_engine, verb):
-    done = intent_engine(verb, "go forward " * 9_000)
+def test_a_long_argument(in_process, verb):
+    done = in_process(verb, "go forward " * 9_000)
     assert done.returncode == 7
     assert done.stdout == ""
     assert done.stderr.startswith("error: the text (99000 characters) is longer than")
@@ -126,18 +126,18 @@ def test_verbs_that_read_text_load_no_more_than_that_takes(arguments, absent):
         ("turn", {"left", "right", "around"}, {"kitchen"}),
     ],
 )
-def test_complete_lists_the_words_that_may_follow(intent_engine, text, words, others):
-    done = intent_engine("complete", text)
+def test_complete_lists_the_words_that_may_follow(in_process, text, words, others):
+    done = in_process("complete", text)
     listed = set(done.stdout.split())
     assert done.returncode == 0
     assert words <= listed
     assert not others & listed
-    as_json = json.loads(intent_engine("complete", "--json", text).stdout)
+    as_json = json.loads(in_process("complete", "--json", text).stdout)
     assert set(as_json["next_words"]) == listed
 
 
-def test_complete_knows_when_nothing_can_follow(intent_engine):
-    done = intent_engine("complete", "fly to the moon")
+def test_complete_knows_when_nothing_can_follow(in_process):
+    done = in_process("complete", "fly to the moon")
     assert (done.returncode, done.stdout) == (1, "")
     assert "no sentence begins so" in done.stderr
 
@@ -161,10 +161,10 @@ def test_what_is_doubtful_in_a_grammar_is_told_in_one_line_that_says_where(inten
     assert "0 errors, 1 warning" in checked.stdout
 
 
-def test_of_several_files_that_are_one_grammar_it_is_told_once(intent_engine, tmp_path):
+def test_of_several_files_that_are_one_grammar_it_is_told_once(in_process, tmp_path):
     (tmp_path / "one.yaml").write_text(DOUBTFUL)
     (tmp_path / "two.yaml").write_text(DOUBTFUL.replace("wave", "bow").replace("colour", "shade"))
-    done = intent_engine("parse", "-g", "one.yaml", "-g", "two.yaml", "wave", cwd=tmp_path)
+    done = in_process("parse", "-g", "one.yaml", "-g", "two.yaml", "wave", cwd=tmp_path)
     assert done.stderr == (
         "2 warnings in grammars one.yaml and two.yaml: intent-engine check --together one.yaml two.yaml shows them\n"
     )
@@ -193,10 +193,10 @@ def test_no_sentence_at_all_is_no_success(intent_engine):
     assert done.stderr == "standard input is empty: no sentence was given\n"
 
 
-def test_the_name_of_a_file_is_no_sentence(intent_engine, tmp_path):
+def test_the_name_of_a_file_is_no_sentence(in_process, tmp_path):
     path = tmp_path / "my sentences.txt"
     path.write_text("stop\n", "utf-8")
-    done = intent_engine("parse", path)
+    done = in_process("parse", path)
     assert done.returncode == 1
     assert done.stdout.startswith("rejected: ")
     assert f"{path} is a file; for the sentences in it, one a line: intent-engine parse - < '{path}'" in done.stderr

@@ -27,14 +27,14 @@ def folder(tmp_path):
     return tmp_path
 
 
-def test_sentences_with_their_meaning(intent_engine):
-    done = intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 7)
+def test_sentences_with_their_meaning(in_process):
+    done = in_process("sample", "-n", 5, "--intent", "turn", "--seed", 7)
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert len(lines) == 10
     assert all(line.startswith("    turn ") and "side=" in line and "-> turn " in line for line in lines[1::2])
-    assert done.stdout == intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 7).stdout
-    assert done.stdout != intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 8).stdout
+    assert done.stdout == in_process("sample", "-n", 5, "--intent", "turn", "--seed", 7).stdout
+    assert done.stdout != in_process("sample", "-n", 5, "--intent", "turn", "--seed", 8).stdout
 
 
 def test_what_is_sampled_is_understood(intent_engine):
@@ -47,28 +47,28 @@ def test_what_is_sampled_is_understood(intent_engine):
     assert [json.loads(line)["intent"] for line in parsed.stdout.splitlines()] == [each["intent"] for each in sampled]
 
 
-def test_an_intent_that_there_is_none_of(intent_engine):
-    done = intent_engine("sample", "--intent", "mov")
+def test_an_intent_that_there_is_none_of(in_process):
+    done = in_process("sample", "--intent", "mov")
     assert done.returncode == 2
     assert done.stderr == "error: there is no intent 'mov'; did you mean 'move'?\n"
 
 
-def test_examples_that_hold(intent_engine, folder):
-    done = intent_engine("test", folder / "good.intents.yaml")
+def test_examples_that_hold(in_process, folder):
+    done = in_process("test", folder / "good.intents.yaml")
     assert (done.returncode, done.stdout) == (0, "2 examples: 2 passed, 0 failed\n")
-    assert intent_engine("test").returncode == 0, "those of the shipped grammar"
+    assert in_process("test").returncode == 0, "those of the shipped grammar"
 
 
-def test_a_table_of_failures(intent_engine, folder):
-    done = intent_engine("test", "wave.yaml", "good.intents.yaml", cwd=folder)
+def test_a_table_of_failures(in_process, folder):
+    done = in_process("test", "wave.yaml", "good.intents.yaml", cwd=folder)
     assert done.returncode == 1
     rows = [line.split() for line in done.stdout.splitlines()]
     assert ["wave.yaml:9", "wave", "at", "bob", "slots.person", "anna", "bob"] in rows
     assert rows[-1] == ["4", "examples:", "3", "passed,", "1", "failed"]
 
 
-def test_a_line_for_each_example(intent_engine, folder):
-    done = intent_engine("test", "--json", "wave.yaml", cwd=folder)
+def test_a_line_for_each_example(in_process, folder):
+    done = in_process("test", "--json", "wave.yaml", cwd=folder)
     assert done.returncode == 1
     good, bad = (json.loads(line) for line in done.stdout.splitlines())
     assert (good["passed"], good["differences"], good["line"]) == (True, [], 8)
@@ -97,9 +97,9 @@ def test_a_line_for_each_example(intent_engine, folder):
         ),
     ],
 )
-def test_a_wrong_test_file(intent_engine, tmp_path, text, message):
+def test_a_wrong_test_file(in_process, tmp_path, text, message):
     (tmp_path / "bad.intents.yaml").write_text(text, "utf-8")
-    done = intent_engine("test", tmp_path / "bad.intents.yaml")
+    done = in_process("test", tmp_path / "bad.intents.yaml")
     assert done.returncode == 2
     assert message in done.stderr
     assert "Traceback" not in done.stderr

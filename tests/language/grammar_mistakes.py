@@ -289,6 +289,8 @@ MISTAKES: dict[str, str | bytes] = {
     "a key of an intent beside the intent": wave("sentences: [wave]").replace("    sent", "  sent"),
     "an intent beside the intents": "language: en\nintents:\nwave:\n  action: custom\n  sentences: [wave]\n",
     "a slot beside the slots": "language: en\nslots:\nway: {type: distance}\n" + wave("sentences: [wave]")[13:],
+    "a place for anchors": "x-far: &far {type: distance}\nlanguage: en\nslots:\n  way: *far\n"
+    + wave("sentences: ['go {way}']")[13:],
     "intents as a list": "language: en\nintents:\n  - name: wave\n    action: custom\n",
     "a confidence in percent": wave("sentences: [wave]", "min_confidence: 70"),
     "a line without its colon": wave("sentences: [wave]").replace("intents:", "intents"),

@@ -144,7 +144,7 @@ def test_what_is_told_of_a_map_has_its_line(tmp_path):
     (tmp_path / "m.csv").write_text("name,x,y\n5,1,2\n")
     engine = IntentEngine.from_files(tmp_path / "g.yaml", locations=tmp_path / "m.csv")
     (only,) = check_grammar(engine.grammar, engine.locations).findings
-    assert (only.problem.file, only.problem.line) == (str(tmp_path / "m.csv"), None)
+    assert (only.problem.file, only.problem.line) == (str(tmp_path / "m.csv"), 2)
 
 
 def test_a_place_that_is_not_on_the_map(tmp_path):

@@ -125,6 +125,24 @@ def test_names_that_will_be_taken_for_orders_are_warned_of():
     assert [message.split("'")[1] for message in messages] == ["stop", "no", "7"]
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("quick.yaml", "locations:\n  lab: {x: 1, y: 2}\n  stop: {x: 1, y: 2}\n"),
+        ("map.csv", "name,x,y\nlab,1,2\nstop,1,2\n"),
+        ("nav2.yaml", "waypoints:\n  lab: {x: 1, y: 2}\n  stop: {x: 1, y: 2}\n"),
+        ("list.yaml", "waypoints:\n  - {name: lab, x: 1, y: 2}\n  - {name: stop, x: 1, y: 2}\n"),
+    ],
+)
+def test_a_warning_has_its_line_in_every_form(tmp_path, name, text):
+    (tmp_path / name).write_text(text)
+    (tmp_path / "other.csv").write_text("name,x,y\nhall,1,2\n")
+    for files in ([tmp_path / name], [tmp_path / "other.csv", tmp_path / name]):
+        (warning,) = load(files).warnings
+        assert (warning.file, warning.line) == (str(tmp_path / name), 3)
+        assert warning.source == text.splitlines()[2]
+
+
 @pytest.mark.parametrize("yaw", [90.0, -90.0, 360.0, 6.3])
 def test_a_yaw_of_more_than_a_turn_is_degrees_and_refused_in_every_form(tmp_path, yaw):
     rad = f"{math.radians(yaw):.4f}"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import FREE_KINDS, Grammar, Sentence, problem_at
 from intent_engine.language.loading.grammar_parts import Draft, Places
+from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import slots_of_patterns, unsaid_patterns
@@ -74,6 +75,7 @@ def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[P
     yield from _stopping(grammar)
     yield from _denials(grammar, draft)
     yield from _neighbours(grammar, draft)
+    yield from _fixed_in_vain(grammar)
     yield from _strokes(grammar, draft)
     yield from _foreign_signs(draft)
     yield from unsaid_patterns(grammar, places)
@@ -149,6 +151,19 @@ def _all_words(node: Node, said: Mapping[str, Node], known: dict[str, frozenset[
                 known[name] = _all_words(said[name], said, known)
             found |= known[name]
     return frozenset(found)
+
+
+def _fixed_in_vain(grammar: Grammar) -> Iterator[Problem]:
+    """Values that a sentence has without saying them, though it always says another in their place."""
+    shapes = Shapes(grammar)
+    sentences = (sentence for intent in grammar.intents.values() for sentence in intent.all_sentences)
+    for sentence in (one for one in sentences if one.fixed):
+        for label in sorted(shapes.always(sentence.template) & sentence.fixed.keys()):
+            message = (
+                f"slot {label!r} is always said in this sentence, and never has the value {sentence.fixed[label]!r}"
+            )
+            hint = f"leave it out of slots:, or let it be said or not: [{{{label}}}]"
+            yield problem_at(sentence.place, message, hint)
 
 
 def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:

@@ -28,6 +28,7 @@ class Shapes:
         self._empty: dict[str, bool] = {}
         self._free: dict[str, bool] = {}
         self._labels: dict[str, dict[str, int]] = {}
+        self._always: dict[str, frozenset[str]] = {}
         self._entries: dict[str, int] = {}
         self._widest: dict[str, int] = {}
 
@@ -83,6 +84,22 @@ class Shapes:
                 if name not in self._labels:
                     self._labels[name] = self.labels(self._grammar.phrases[name])
                 return self._labels[name]
+
+    def always(self, node: Node) -> frozenset[str]:
+        """The labels of the slots that are said in whatever way a template is."""
+        match node:
+            case Word() | WordClass() | Optional():
+                return frozenset()
+            case Choice(items):
+                return frozenset.intersection(*map(self.always, items))
+            case Sequence(items) | AnyOrder(items):
+                return frozenset[str]().union(*map(self.always, items))
+            case Reference(name, label):
+                if name not in self._grammar.phrases:
+                    return frozenset((label,))
+                if name not in self._always:
+                    self._always[name] = self.always(self._grammar.phrases[name])
+                return self._always[name]
 
     # -- how wide ---------------------------------------------------------------------------------------------
 

@@ -160,6 +160,9 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
     key, known = str(path[-1]), list(schema.get("properties", ()))
     if (comma := _after_a_comma(source, path, instance)) is not None:
         return _at(source, path, f"unknown key {key!r}: the ',' before it begins a key", comma, key=True)
+    if len(path) == 1 and key.startswith(("x-", ".")):  # as Compose and GitLab call what is only for anchors
+        hint = "an anchor needs no place of its own: write &name where its value is first used, and *name from then on"
+        return _at(source, path, f"unknown key {key!r}", hint, key=True)
     section = _section_of(instance[key], known)
     if len(path) == 1 and section is not None:
         message = f"{key!r} stands beside {section!r}, and belongs below it"

@@ -20,6 +20,7 @@ from intent_engine.language.loading.grammar_parts import Places
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.pattern.pattern_tree import Part, UnsayableError
+from intent_engine.language.pattern.regex_set import RegexSet
 from intent_engine.language.templates.template_tree import Word
 from intent_engine.language.words.phrase_set import PhraseSet
 
@@ -246,6 +247,7 @@ class Patterns:
             if intent.lark is not None:
                 lark = self._checked(_lark(intent.lark), intent)
                 self._larks.append((intent, _sentence(intent.lark, intent), lark))
+        self._regex_set = RegexSet([pattern for _, _, pattern in self._regexes])
         operators = grammar.operators
         self._operators = PhraseSet(
             (
@@ -321,7 +323,8 @@ class Patterns:
         return within | {place for place, word in enumerate(reading.words) if word in written}
 
     def _by_regex(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, _Span]]]:
-        for intent, sentence, pattern in self._regexes:
+        for place in self._regex_set.fitting(text):
+            intent, sentence, pattern = self._regexes[place]
             match = pattern.fullmatch(text)
             if match is not None:
                 spans = {name: match.span(number) for name, number in pattern.groupindex.items()}

@@ -96,6 +96,10 @@ FINE = {
         "slots: {a: distance}\nintents:\n  x:\n    action: custom\n"
         "    sentences: [\"go ([very] far|home) [{a:b}] (on;off) l'[autre] fin, at 3:30\", 'lift (a|b) [c|d] {a}m']\n"
     ),
+    "a value of a sentence that may say another": (
+        "slots: {a: [up, down]}\nintents:\n  x:\n    action: custom\n    sentences:\n"
+        "      - {say: 'go ({a}|on)', slots: {a: up}}\n"
+    ),
     "stop in one's own words": "intents:\n  x: {action: stop, sentences: ['do not move']}\n",
 }
 
@@ -140,6 +144,10 @@ DOUBTFUL = {
     ),
     "slots: {a: text, b: text}\nintents:\n  x: {action: custom, sentences: ['mix {a} [{b}]', 'mix {a} and {b}']}\n": (
         3, "nobody can tell where 'a' ends and 'b' begins: both are free text",
+    ),
+    "slots: {a: [up, down]}\nintents:\n  x:\n    action: custom\n    sentences:\n"
+    "      - {say: 'go {a} now', slots: {a: up}}\n": (
+        6, "slot 'a' is always said in this sentence, and never has the value 'up'",
     ),
     "intents:\n  x: {action: custom, sentences: ['light the lamp[s]']}\n": (
         2, "'lamp[s]' is said in two words: a bracket ends one",

@@ -64,6 +64,13 @@ def test_the_automaton_is_never_wider_than_was_said(templates):
     assert explore(grammar(*templates), None).widest <= bound
 
 
+@settings(max_examples=100, deadline=None)
+@given(TREES.filter(lambda node: "WordClass" not in repr(node)))  # which has no spellings
+def test_a_slot_is_always_said_if_it_is_so_in_every_way_to_say_it(template):
+    ways = spellings(template, {**PHRASES, "s": Word("?")}, 100_000)
+    assert Shapes(grammar()).always(template) == ({"s"} if all("?" in way for way in ways) else set())
+
+
 def test_labels_are_counted_along_one_way():
     shapes = Shapes(grammar())
     said = Reference("s", "s", 0)
