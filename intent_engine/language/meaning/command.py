@@ -147,7 +147,7 @@ class Commands:
 
     @cached_property
     def _stems(self) -> frozenset[str]:
-        return frozenset(verb[:_STEM] for verb in self._verbs)
+        return frozenset(verb[:_STEM] for verb in self.verbs)
 
     def opens_with_a_verb(self, reading: Reading) -> bool:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
