@@ -70,7 +70,8 @@ class OtherWords:
         Args:
             said: the words, without those that say nothing.
             state: of the robot.
-            asks: whether it is written as a question, which only asks for a thing: "could I get a tea?".
+            asks: whether it is written as a question, which asks whether, unless it begins with a verb or asks for a
+                thing: "could I get a tea?".
         """
         if len(said) > _MOST_WORDS:
             return None
@@ -83,10 +84,10 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
+        if part.words[0] in verbs:  # "can you slew to the left?" asks for it
+            return self._one_of(self._ways([Rewording(part)])[1:], part, state)
         if asks:
             return self._one_of(self._wished.ways(part, verbs), part, state)
-        if part.words[0] in verbs:
-            return self._one_of(self._ways([Rewording(part)])[1:], part, state)
         ordered = list(self._verb_last.ways(part, verbs, self._begins)) or list(self._wished.ways(part, verbs))
         return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
 
