@@ -99,9 +99,22 @@ class _Taken:
         before = self._before[number]
         if callable(before):
             before(number, frame)  # Ctrl-C is a KeyboardInterrupt
+        elif number == signal.SIGTERM:
+            _end_spinning(frame)
         elif number == getattr(signal, "SIGHUP", None):  # of the others rclpy's handler has been made good
             signal.signal(number, signal.SIG_DFL)
             os.kill(os.getpid(), number)
+
+
+def _end_spinning(frame: FrameType | None) -> None:
+    """Tell who spins a node that it is over, as rclpy does: closed between two of its steps, a context makes it raise
+    that the context is not valid."""
+    from rclpy.executors import ExternalShutdownException
+
+    while frame is not None:
+        if frame.f_globals.get("__name__") == "rclpy.executors":
+            raise ExternalShutdownException
+        frame = frame.f_back
 
 
 _robots: weakref.WeakKeyDictionary[_Robot, Any] = weakref.WeakKeyDictionary()
