@@ -215,11 +215,10 @@ slots: {cosa: [válvula, bomba], cuánto: angle, marcha: speed, rato: duration}
 intents:
   abrir: {action: custom, sentences: ["abre la {cosa}"]}
   girar: {action: custom, sentences: ["gira a la izquierda [{cuánto}]"]}
-  bomba: {action: custom, sentences: ["gira la {cosa} {cuánto} a la izquierda", "abre la bomba durante {rato}"]}
+  bomba: {action: custom, sentences: ["abre la bomba durante {rato}"]}
   avanzar: {action: custom, sentences: ["avanza [a {marcha}]"]}
 """, [
         ("abre esta válvula", "abre la válvula"),
-        ("gira la bomba a la izquierda diez grados", "gira la bomba diez grados a la izquierda"),
         ("abre la bomba diez minutos", "abre la bomba durante diez minutos"),
         ("gira hacia la izquierda", "gira a la izquierda"),
         ("avanza a una velocidad de un metro por segundo", "avanza a un metro por segundo"),

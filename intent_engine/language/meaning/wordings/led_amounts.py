@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -84,7 +84,7 @@ class LedAmounts:
         for leads, kinds in ((self._by_own, _CHANGES), (self._lasting_own, _LASTS)):
             for lead in leads if self._may_begin(words, at) else ():  # "turn thirty degrees", of "turn by {angle}"
                 said = core.with_other(at, at, Utterance.in_one_breath([lead]))
-                yield Rewording(said, _Begins([words[at]], kinds))
+                yield Rewording(said, _Begins([words[at]], kinds, free=False))
         if words[at - 1] in self._measures and words[at] not in self._of_own:
             for of in self._of_own:  # "twenty milliliters lime juice"
                 yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
@@ -110,13 +110,16 @@ class LedAmounts:
 
 
 class _Begins:
-    """Whether an amount begins with one of some words."""
+    """Whether an amount begins with one of some words; where nothing may be ``free``, words before it could be its."""
 
-    def __init__(self, words: Collection[str], kinds: Collection[str]) -> None:
+    def __init__(self, words: Collection[str], kinds: Collection[str], *, free: bool = True) -> None:
         self._words = words
         self._kinds = kinds
+        self._free = free
 
     def __call__(self, reading: Reading) -> bool:
+        if not self._free and any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+            return False
         return any(slot.slot.type in self._kinds and reading.words[slot.start] in self._words for slot in reading.slots)
 
 

@@ -41,7 +41,10 @@ class Pointing:
             if core.words[at] in self._definite and not any(core.breaks[at : at + 2]):
                 yield Rewording(core.with_other(at, at + 1, Utterance([], [])), self._points_to_nothing_free)
         found = list(self._found(core))
-        for article in (*self._articles, Utterance([], [])) if found else ():
+        any_one = {"a"} if self._units is None else self._units.words["one"]
+        counted = any(any_one.intersection(core.words[start:end]) for start, end in found)
+        none = [] if counted else [Utterance([], [])]  # "a full" is no "full"
+        for article in (*self._articles, *none) if found else ():
             said = core
             for start, end in reversed(found):
                 said = said.with_other(start, end, article)
