@@ -113,6 +113,10 @@ class Wording:
     """Verbs of what something is set to, each with the prepositions that say the same there: "*at* two bar"."""
     led_by: frozenset[str] = frozenset()
     """Words before how far something is to go, which may be left out: "turn left *by* thirty degrees"."""
+    lasting: frozenset[str] = frozenset()
+    """The same before how long something takes: "soak it *for* ten minutes"."""
+    how_often: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """How often something is done in one word, each with the words for it: "twice", "two times"."""
     sizes: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Words between a size and how much it is, each with such sizes: "a *depth* of ten meters"."""
     idle_particles: Mapping[str, frozenset[str]] = field(default_factory=dict)

@@ -142,6 +142,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         "wished": tuple(tuple(form.split()) for form in lists.get("wished", ())),
         **{key: {one: frozenset(others) for one, others in _pairs(language, key).items()} for key in _BY_WORD},
         "vowels": _pairs(language, "vowels"),
+        "how_often": _pairs(language, "how_often"),
     }
     found = {name: made[types[name]](lists.get(key, ())) for name, key in _WORDING.items() if name not in others}
     return Wording(**found, **others)

@@ -42,7 +42,7 @@ class Commands:
         self._whose_place = WhosePlace(matcher)
         self._plurals = Plurals(matcher.grammar, lambda: self.first_words)
         known = thing_words(matcher.grammar.language)
-        self.not_verbs = ARTICLES | known.alone
+        self.not_verbs = ARTICLES | known.articles | known.alone
         """Words that are no verb of a command, though one may begin with them."""
         self._telling = known.telling
 

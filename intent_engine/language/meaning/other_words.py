@@ -29,7 +29,7 @@ __all__ = ["OtherWords"]
 
 _MOST_WORDS = 20
 """Words of an utterance that is put otherwise,"""
-_MOST_WAYS = 24
+_MOST_WAYS = 20
 """ways that are tried, since a long sentence of somebody else has no end of them,"""
 _MOST_PLACED = 16
 """of these with something in another place,"""

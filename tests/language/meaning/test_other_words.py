@@ -34,6 +34,9 @@ intents:
   explain: {action: custom, sentences: ["explain the {part} [in {tongue}]"]}
   add: {action: custom, sentences: ["add {liters} milliliters of {drink}"]}
   put: {action: custom, sentences: ["put the {part} on the {part:where}"]}
+  east: {action: custom, sentences: ["slew to the east"]}
+  soak: {action: custom, sentences: ["soak it for {time}"]}
+  polish: {action: custom, sentences: ["polish the lamp {count} times"]}
   pause: {action: custom, sentences: ["pause printer {count}"]}
   load: {action: custom, sentences: ["load {drink} in printer {count}"]}
   lower: {action: custom, sentences: ["lower the {part} by {how_far}"]}
@@ -59,6 +62,10 @@ GRAMMAR = CRANE.replace(
         ("check all of those hooks", "check the hooks"),
         ("pause the printer eight", "pause printer eight"),
         ("switch that lamp on", "switch the lamp on"),
+        ("check a hook", "check the hook"),
+        ("slew eastward", "slew to the east"),
+        ("soak it ten minutes", "soak it for ten minutes"),
+        ("polish the lamp twice", "polish the lamp two times"),
         ("turn that siren on", "turn on the siren"),
         # Which way.
         ("slew to the left", "slew left"),
@@ -204,13 +211,15 @@ intents:
     ]),
     "es": ("""
 language: es
-slots: {cosa: [válvula, bomba], cuánto: angle, marcha: speed}
+slots: {cosa: [válvula, bomba], cuánto: angle, marcha: speed, rato: duration}
 intents:
   abrir: {action: custom, sentences: ["abre la {cosa}"]}
   girar: {action: custom, sentences: ["gira a la izquierda [{cuánto}]"]}
+  bomba: {action: custom, sentences: ["abre la bomba durante {rato}"]}
   avanzar: {action: custom, sentences: ["avanza [a {marcha}]"]}
 """, [
         ("abre esta válvula", "abre la válvula"),
+        ("abre la bomba diez minutos", "abre la bomba durante diez minutos"),
         ("gira hacia la izquierda", "gira a la izquierda"),
         ("avanza a una velocidad de un metro por segundo", "avanza a un metro por segundo"),
     ]),

@@ -70,8 +70,10 @@ class BehindTheVerb:
         return said if said.words != core.words else None
 
     def _begins_thing(self, word: str) -> bool:
-        """Whether a thing begins with a word, its article or how many there are of it."""
-        return word in thing_words(self._language).articles or is_number(word, self._language)
+        """Whether a thing begins with a word: its article, how many there are of it, or its name ("show me Saturn")."""
+        known = thing_words(self._language)
+        begins = word in known.articles or is_number(word, self._language)
+        return begins or word not in known.joining | known.alone | known.unfinished
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".

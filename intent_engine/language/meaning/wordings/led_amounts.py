@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -18,6 +18,7 @@ __all__ = ["LedAmounts"]
 _NOTHING = Utterance([], [])
 _CHANGES = frozenset({"distance", "angle", "number"})
 """What is said to change by so much, and not to be so much: "set the speed" differs from "speed up by"."""
+_LASTS = frozenset({"duration"})
 _AMOUNTS = frozenset({*QUANTITY_KINDS, "number"})
 
 
@@ -37,6 +38,7 @@ class LedAmounts:
         self._measures = known.measures
         self._own = own
         self._by_own = sorted(wording.led_by & own)
+        self._lasting_own = sorted(wording.lasting & own)
         self._of_own = sorted(wording.sizes.keys() & own)
         self._rates = table.words["per"] if table is not None else frozenset[str]()
         self._times = {words[0] for words in table.by_kind.get("duration", {})} if table is not None else set[str]()
@@ -58,8 +60,9 @@ class LedAmounts:
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
         without = Rewording(core.with_other(at, at + 1, _NOTHING), _Begins(words[at + 1 : at + 3], _AMOUNTS))
-        if word in wording.led_by:
-            yield Rewording(without.said, _Begins([after], _CHANGES))
+        if word in wording.led_by or word in wording.lasting:
+            kinds = _CHANGES if word in wording.led_by else _LASTS
+            yield Rewording(without.said, _Begins([after], kinds))
         about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
         up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
         if about or up_to:
@@ -78,10 +81,10 @@ class LedAmounts:
 
     def _put_in(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words = core.words
-        if self._by_own and self._may_begin(words, at):
-            for by in self._by_own:  # "turn thirty degrees", of "turn by {angle}"
-                said = core.with_other(at, at, Utterance.in_one_breath([by]))
-                yield Rewording(said, _Begins([words[at]], _CHANGES))
+        for leads, kinds in ((self._by_own, _CHANGES), (self._lasting_own, _LASTS)):
+            for lead in leads if self._may_begin(words, at) else ():  # "turn thirty degrees", of "turn by {angle}"
+                said = core.with_other(at, at, Utterance.in_one_breath([lead]))
+                yield Rewording(said, _Begins([words[at]], kinds, free=False))
         if words[at - 1] in self._measures and words[at] not in self._of_own:
             for of in self._of_own:  # "twenty milliliters lime juice"
                 yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
@@ -89,7 +92,8 @@ class LedAmounts:
     def _may_begin(self, words: list[str], at: int) -> bool:
         """Whether a number may begin at a place."""
         counts = is_number(words[at], self._language) and not is_number(words[at - 1], self._language)
-        return (counts or words[at] in self._articles) and words[at - 1] not in self._wording.led_by
+        led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
+        return (counts or words[at] in self._articles) and not led
 
     def _exchanged(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words = core.words
@@ -98,19 +102,24 @@ class LedAmounts:
             if word in self._wording.levels[words[0]] and other != word:
                 said = core.with_other(at, at + 1, Utterance.in_one_breath([other]))
                 yield Rewording(said, _Begins([after], _AMOUNTS))
+        for often in self._wording.how_often.get(word, ()):
+            yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath(often.split())))
         for other in sorted(self._rates & self._own) if word in self._rates and after in self._times else ():
             if other != word:  # "two liters a minute"
                 yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath([other])))
 
 
 class _Begins:
-    """Whether an amount begins with one of some words."""
+    """Whether an amount begins with one of some words; where nothing may be ``free``, words before it could be its."""
 
-    def __init__(self, words: Collection[str], kinds: Collection[str]) -> None:
+    def __init__(self, words: Collection[str], kinds: Collection[str], *, free: bool = True) -> None:
         self._words = words
         self._kinds = kinds
+        self._free = free
 
     def __call__(self, reading: Reading) -> bool:
+        if not self._free and any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+            return False
         return any(slot.slot.type in self._kinds and reading.words[slot.start] in self._words for slot in reading.slots)
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -24,6 +26,8 @@ class Pointing:
 
     def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
         self._pointing = grammar.wording.points
+        self._units = units(grammar.language)
+        self._language = grammar.language
         self._wholes = PhraseSet(grammar.wording.wholes)
         known = thing_words(grammar.language)
         self._all = known.articles | self._pointing
@@ -37,7 +41,10 @@ class Pointing:
             if core.words[at] in self._definite and not any(core.breaks[at : at + 2]):
                 yield Rewording(core.with_other(at, at + 1, Utterance([], [])), self._points_to_nothing_free)
         found = list(self._found(core))
-        for article in (*self._articles, Utterance([], [])) if found else ():
+        any_one = {"a"} if self._units is None else self._units.words["one"]
+        counted = any(any_one.intersection(core.words[start:end]) for start, end in found)
+        none = [] if counted else [Utterance([], [])]  # "a full" is no "full"
+        for article in (*self._articles, *none) if found else ():
             said = core
             for start, end in reversed(found):
                 said = said.with_other(start, end, article)
@@ -50,11 +57,20 @@ class Pointing:
             whole = self._wholes.at(words, start)
             end = start + whole + 1
             article = words[start + whole] if end < len(words) else ""
-            if article not in (self._all if whole else self._pointing) or any(core.breaks[start + 1 : end + 1]):
+            points = article in (self._all if whole else self._pointing) and not self._counts(words[end - 1 : end + 1])
+            if not points or any(core.breaks[start + 1 : end + 1]):
                 start += 1
                 continue
             yield start, end
             start = end
+
+    def _counts(self, words: Sequence[str]) -> bool:
+        """Whether words begin an amount: "a quarter turn", "a meter"."""
+        article, after = words
+        if self._units is None or article not in self._units.words["one"]:
+            return False
+        parts = self._units.words.get("half", frozenset()) | self._units.words.get("quarter", frozenset())
+        return after in parts or (after,) in self._units.names or is_number(after, self._language)
 
     def _points_to_nothing_free(self, reading: Reading) -> bool:
         """Whether none of it stands before any words that are free: "pick your battles" is about no thing."""
