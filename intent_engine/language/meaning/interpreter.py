@@ -22,6 +22,7 @@ from intent_engine.language.meaning.negations.negation import Negations
 from intent_engine.language.meaning.negations.objecting import objects_to_what_is_done
 from intent_engine.language.meaning.not_commands.no_command import NoCommand
 from intent_engine.language.meaning.not_commands.talk import Talk
+from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
@@ -77,13 +78,14 @@ class Interpreter:
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
         self._talk = Talk(phrases, self._commands)
-        self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
+        other_words = OtherWords(self._commands, phrases)
+        self._otherwise = WrittenOtherwise(self._commands, phrases, other_words, self._meant)
         self._fillers = FillersOrWords(phrases, self._commands, self._meant)
         self._numbers = made(NumbersInPieces(phrases, self.matcher))
         self._taken_otherwise = TakenOtherwise(phrases, self._commands, self._awake, self._meant)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
-        self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
+        self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections, other_words))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
         self._no_command = made(NoCommand(phrases, self._commands, self._compounds, self._corrections, self._nearest))
 

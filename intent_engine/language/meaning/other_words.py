@@ -8,6 +8,7 @@ from itertools import islice
 
 from intent_engine.actions import Action
 from intent_engine.language.grammar import FREE_KINDS
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
@@ -97,13 +98,14 @@ class OtherWords:
         ways = [*ways]
         for way in ways:
             clause = self._commands.exact(way.said.words, state, breaks=way.said.breaks)
-            if clause is None or clause.action is None or not clause.accepted or clause.reading is None:
-                continue
-            if way.is_meant(clause.reading) and _keeps_free_words(part, clause.reading):
+            if clause is not None and clause.action is not None and _is_meant(way, clause, part):
                 found.setdefault(clause.action, way.said)
         if not found:
-            told = (self._particles.placed(way.said, state) for way in ways[:_MOST_PARTED])
-            return next(filter(None, told), None)  # "turn that lamp on" of a grammar that has "turn on the lamp"
+            for way in ways[:_MOST_PARTED]:  # "turn that lamp on" of a grammar that has "turn on the lamp"
+                placed = self._particles.placed(way.said, state)
+                clause = self._commands.exact(placed.words, state, breaks=placed.breaks) if placed is not None else None
+                if clause is not None and _is_meant(way, clause, part):
+                    return placed
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _ways(self, found: list[Rewording]) -> list[Rewording]:
@@ -124,6 +126,14 @@ class OtherWords:
         rule = self._placed_first
         for way, start, end in rule.ways(part, self._commands.verbs):
             yield Rewording(way, partial(rule.means, start=start, end=end))
+
+
+def _is_meant(way: Rewording, clause: Clause, said: Utterance) -> bool:
+    """Whether a command that was found in other words is what was said."""
+    reading = clause.reading
+    if reading is None or not clause.accepted:
+        return False
+    return way.is_meant(reading) and _keeps_free_words(said, reading)
 
 
 def _keeps_free_words(said: Utterance, reading: Reading) -> bool:

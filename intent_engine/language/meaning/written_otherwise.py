@@ -68,6 +68,7 @@ class WrittenOtherwise:
     Args:
         commands: of the grammar.
         phrases: of the grammar.
+        other_words: of its commands.
         meant: what an utterance means in a state of the robot, with the text that it was said in.
     """
 
@@ -75,6 +76,7 @@ class WrittenOtherwise:
         self,
         commands: Commands,
         phrases: Phrases,
+        other_words: OtherWords,
         meant: Callable[[str, Utterance, Collection[str]], Understood],
     ) -> None:
         self._commands = commands
@@ -99,7 +101,7 @@ class WrittenOtherwise:
         self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
-        self._other_words = OtherWords(commands, phrases)
+        self._other_words = other_words
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
     def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:

@@ -45,6 +45,8 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("en", "no, don't clean the lab please", CLEAN_LAB),
         ("en", "never clean the lab", CLEAN_LAB),
         ("en", "don't take the cup", Pick("cup")),
+        ("en", "don't clean that lab", CLEAN_LAB),
+        ("en", "don't clean up the lab", CLEAN_LAB),
         ("de", "reinige das Labor nicht", CLEAN_LAB),
         ("fr", "ne nettoie pas le labo", CLEAN_LAB),
         ("en", "you must not clean the lab", CLEAN_LAB),

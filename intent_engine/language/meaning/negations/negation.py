@@ -13,6 +13,7 @@ from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.negations.denied_parts import DeniedParts
 from intent_engine.language.meaning.negations.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.negations.motion_verbs import MotionVerbs
+from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
@@ -24,12 +25,20 @@ __all__ = ["Negations"]
 class Negations:
     """What an utterance with a negation leaves to be done."""
 
-    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds, corrections: Corrections) -> None:
+    def __init__(
+        self,
+        phrases: Phrases,
+        commands: Commands,
+        compounds: Compounds,
+        corrections: Corrections,
+        other_words: OtherWords,
+    ) -> None:
         self._phrases = phrases
         self._negation = phrases.negation
         self._commands = commands
         self._compounds = compounds
         self._corrections = corrections
+        self._other_words = other_words
         wording = commands.matcher.grammar.wording
         self._before = frozenset(((), *wording.before_negations))
         self._excludes = wording.excludes
@@ -100,9 +109,11 @@ class Negations:
         if any(self._is_motion([*before, *way.words], state) for way in ways if self._first(way) is None):
             return True
         said = Utterance([*before, *after.words], [False] * (len(before) + len(after)))
-        return self._first(said) is None and any(
-            self._is_exactly_a_motion(way.words, state) for way in verb_first(said, grammar)
-        )
+        if self._first(said) is not None:
+            return False
+        other = self._other_words.told(said, state, asks=False)  # "don't turn to the left"
+        exactly = (*verb_first(said, grammar), *([other] if other is not None else []))
+        return any(self._is_exactly_a_motion(way.words, state) for way in exactly)
 
     def denied(self, core: Utterance, state: Collection[str]) -> tuple[Action, ...]:
         """What an utterance with a negation says not to do: "don't clean the lab". A word of correction may stand
@@ -341,6 +352,7 @@ class Negations:
         ]
         yield from ways
         yield from verb_first(ways[0], grammar)
+        yield from filter(None, (self._other_words.told(way, (), asks=False) for way in ways))
 
     def _instead_of_begun(
         self, part: Utterance, position: int, length: int, wanted: Utterance, state: Collection[str]

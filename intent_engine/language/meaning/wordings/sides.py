@@ -35,8 +35,7 @@ class Sides:
         while (found := self._phrases.find(core.words, at)) is not None:
             start, length = found
             end = start + length
-            for other in (
-                self._same[tuple(core.words[start:end])] if start and not any(core.breaks[start + 1 : end]) else ()
-            ):
-                yield Rewording(core.with_other(start, end, other))
+            if start and not any(core.breaks[start + 1 : end]):
+                for other in self._same[tuple(core.words[start:end])]:
+                    yield Rewording(core.with_other(start, end, other))
             at = end
