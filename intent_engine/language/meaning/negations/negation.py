@@ -111,9 +111,10 @@ class Negations:
         said = Utterance([*before, *after.words], [False] * (len(before) + len(after)))
         if self._first(said) is not None:
             return False
+        if any(self._is_exactly_a_motion(way.words, state) for way in verb_first(said, grammar)):
+            return True
         other = self._other_words.told(said, state, asks=False)  # "don't turn to the left"
-        exactly = (*verb_first(said, grammar), *([other] if other is not None else []))
-        return any(self._is_exactly_a_motion(way.words, state) for way in exactly)
+        return other is not None and self._is_exactly_a_motion(other.words, state)
 
     def denied(self, core: Utterance, state: Collection[str]) -> tuple[Action, ...]:
         """What an utterance with a negation says not to do: "don't clean the lab". A word of correction may stand
@@ -352,7 +353,8 @@ class Negations:
         ]
         yield from ways
         yield from verb_first(ways[0], grammar)
-        yield from filter(None, (self._other_words.told(way, (), asks=False) for way in ways))
+        if (other := self._other_words.told(ways[0], (), asks=False)) is not None:
+            yield other
 
     def _instead_of_begun(
         self, part: Utterance, position: int, length: int, wanted: Utterance, state: Collection[str]

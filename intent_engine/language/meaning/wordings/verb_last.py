@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Set
 from functools import partial
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.command import LEAST_WORDS
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
@@ -41,8 +42,8 @@ class VerbLast:
             verbs: with which commands begin.
             begins: whether a command begins with some words.
         """
-        if not part.words[-1].endswith("n"):
-            return
+        if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
+            return  # "weiterfahren" says nothing of what, or where to
         named = [] if part.words[0] in self._known.articles else self._articles
         for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
             for order in last_verb_first(said, self._grammar):

@@ -72,6 +72,8 @@ def test_several_are_done_one_after_the_other(engine_of, said: str, intents: lis
         "Leute greifen",
         "die Leute greifen",
         "sie drehen",
+        "einschalten",
+        "nicht einschalten",
         "wir Ventil drei schließen",
         "wir müssen die Tür öffnen",
         "dass wir in die Küche fahren",
