@@ -93,6 +93,11 @@ class Units:
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
 
+    @property
+    def parts_of_one(self) -> frozenset[str]:
+        """Words for parts of one that stand behind an article: "half", "quarter"."""
+        return self.words.get("half", frozenset()) | self.words.get("quarter", frozenset())
+
     def unit_at_end(self, words: Sequence[str]) -> tuple[str, int] | None:
         """The unit that some words end with, the longest, and where it begins; None: they end with no unit."""
         for begin in range(max(0, len(words) - LONGEST), len(words)):

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -93,9 +94,7 @@ class BehindTheVerb:
             verb = start + max(self._phrases.goes_on(rest), self._phrases.opens(rest))
             if verb < len(core) and core.words[verb] in verbs:
                 yield start, verb
-            places = range(max(verb, start) + 1, len(core))
-            begins = (at for at in places if core.breaks[at] or self._phrases.goes_on(core.words[at:]))
-            start = next(begins, len(core))
+            start = next_begins(core, max(verb, start), self._phrases)
 
     def _behind(self, said: Utterance, verb: int, between: Collection[str]) -> int:
         """The place behind a verb and the words of its own."""

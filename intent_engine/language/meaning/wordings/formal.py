@@ -9,6 +9,7 @@ from functools import cached_property
 
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.verb_forms import verbs_of
 
@@ -56,8 +57,7 @@ class Formal:
             if told is not None:
                 length, verb = told
                 said = said.with_other(place, place + length, Utterance.in_one_breath(verb))
-            later = range(place + 1, len(said))
-            place = next((at for at in later if said.breaks[at] or self._phrases.goes_on(said.words[at:])), len(said))
+            place = next_begins(said, place, self._phrases)
         return said if said.words != core.words else None
 
     def is_one(self, word: str) -> bool:

@@ -21,7 +21,7 @@ class IdleParticles:
         self._idle = grammar.wording.idle_particles
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
-        """Without the one that stands behind each such verb, and farther from it than no other verb of them."""
+        """Without each one that stands behind its verb, up to a pause or the next such verb."""
         words, breaks = core.words, core.breaks
         verbs = [at for at, word in enumerate(words) if word in self._idle]
         for verb, next_verb in pairwise([*verbs, len(words)]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -118,7 +118,7 @@ class _Begins:
         self._free = free
 
     def __call__(self, reading: Reading) -> bool:
-        if not self._free and any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+        if reading.free_words and not self._free:
             return False
         return any(slot.slot.type in self._kinds and reading.words[slot.start] in self._words for slot in reading.slots)
 

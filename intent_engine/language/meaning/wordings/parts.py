@@ -9,7 +9,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["part_by_part"]
+__all__ = ["next_begins", "part_by_part"]
 
 
 def part_by_part(
@@ -35,6 +35,19 @@ def part_by_part(
     return Utterance(words, breaks) if changed else None
 
 
+def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[[int], bool] = lambda at: True) -> int:
+    """Where, behind a place, another command may begin: at a pause or what joins; the end, if none does.
+
+    Args:
+        said: the words.
+        start: the place.
+        phrases: of the grammar.
+        may_be: whether it may be at a place.
+    """
+    later = filter(may_be, range(start + 1, len(said)))
+    return next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
+
+
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
     start = 0
@@ -44,8 +57,7 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
             yield start, start + joint, True
             start += joint
             continue
-        later = (at for at in range(start + 1, len(said)) if not _in_a_number(said, at, language))
-        end = next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
+        end = next_begins(said, start, phrases, lambda at: not _in_a_number(said, at, language))
         yield start, end, False
         start = end
 
@@ -56,9 +68,8 @@ def _in_a_number(said: Utterance, at: int, language: str) -> bool:
     if table is None or said.words[at] not in table.words["and"] or any(said.breaks[at : at + 2]):
         return False
     before, after = said.words[at - 1], said.words[at + 1 : at + 3]
-    part = table.words.get("half", frozenset()) | table.words.get("quarter", frozenset())
     counted = is_number(before, language) or (before,) in table.names
     return counted and (
-        bool(part.intersection(after))
+        bool(table.parts_of_one.intersection(after))
         or (is_number(before, language) and any(is_number(word, language) for word in after[:1]))
     )

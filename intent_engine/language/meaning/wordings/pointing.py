@@ -69,8 +69,7 @@ class Pointing:
         article, after = words
         if self._units is None or article not in self._units.words["one"]:
             return False
-        parts = self._units.words.get("half", frozenset()) | self._units.words.get("quarter", frozenset())
-        return after in parts or (after,) in self._units.names or is_number(after, self._language)
+        return after in self._units.parts_of_one or (after,) in self._units.names or is_number(after, self._language)
 
     def _points_to_nothing_free(self, reading: Reading) -> bool:
         """Whether none of it stands before any words that are free: "pick your battles" is about no thing."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import product
 
-from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
@@ -45,4 +45,4 @@ class Verbless:
 
 def _names_a_thing(reading: Reading) -> bool:
     """Whether it is one of the things that a grammar knows: any other words may be said of anything."""
-    return not any(slot.slot.type in FREE_KINDS for slot in reading.slots)
+    return not reading.free_words

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
@@ -33,4 +33,4 @@ class WishedThings:
 
 def _is_listed(reading: Reading) -> bool:
     """Whether it is a thing that a grammar knows: people want anything ("could I have a word")."""
-    return not any(slot.slot.type in FREE_KINDS for slot in reading.slots)
+    return not reading.free_words
