@@ -179,7 +179,8 @@ def from_text(text: str, name: str = "<text>") -> LocationMap:
 def _quickly(path: Path) -> tuple[Places, str] | None:
     """The places and the frame of a plainly written YAML map without a fault; None for any other file."""
     try:
-        if path.suffix.lower() == ".csv" or path.stat().st_size > MAX_BYTES:
+        # What is no file but a pipe can be read only once, and that carefully.
+        if path.suffix.lower() == ".csv" or not path.is_file() or path.stat().st_size > MAX_BYTES:
             return None
         found = read_map(path.read_text("utf-8"))
     except (OSError, UnicodeDecodeError):

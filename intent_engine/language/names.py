@@ -7,7 +7,6 @@ second best; a wrong place costs more than a question.
 
 from __future__ import annotations
 
-import itertools
 import threading
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -326,15 +325,19 @@ class _Group:
 
 
 def _stands_in(words: Words, said: Words) -> bool:
-    """Whether a name was said as it is, together or apart, and words beside it: these were heard, and say something.
-    "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "anti clockwise or"
-    "anticlockwise"."""
+    """Whether a name was said as it is, together or apart, and words beside it or between: these were heard, and say
+    something. "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "bath or room"
+    "bathroom"."""
     from intent_engine.language.words.likeness import sound
 
-    name, letters = [sound(word) for word in words], "".join(words)
-    heard = [sound(word) for word in said]
-    parts = itertools.combinations(range(len(said) + 1), 2)
-    return any(heard[at:end] == name or "".join(said[at:end]) == letters for at, end in parts if end - at < len(said))
+    heard = map(sound, said)
+    if len(said) > len(words) and all(sound(word) in heard for word in words):  # in this order
+        return True
+    letters = "".join(words)
+    ends = {0}  # of the beginnings that some of the words are, one after the other
+    for word in said:
+        ends |= {end + len(word) for end in ends if letters.startswith(word, end)}
+    return len("".join(said)) > len(letters) and len(letters) in ends
 
 
 def _split(words: Words) -> tuple[tuple[str, ...], str]:

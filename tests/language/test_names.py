@@ -385,3 +385,16 @@ def test_a_name_that_was_said_as_it_is_takes_no_other_word_in(
     index = _index(spoken)
     assume(index.resolve(name).status == "exact")
     assert index.resolve(f"{other} {name}" if before else f"{name} {other}").name is None
+    words = name.split()
+    at = data.draw(st.integers(1, len(words)))
+    assert index.resolve([*words[:at], *other.split(), *words[at:]]).name is None
+
+
+@pytest.mark.parametrize("other", ["or", "and", "to", "no", "in", "er"])
+def test_a_name_takes_no_word_between_its_own(other: str) -> None:
+    """ "Bath or room" is no way to say "bathroom", nor "turbo or boost" "turbo boost"."""
+    index = _index(["turbo boost", "bathroom", "charging station"])
+    for said in (f"turbo {other} boost", f"bath {other} room", f"charging {other} station"):
+        assert index.resolve(said).name is None, said
+    assert index.resolve("charging the station").name == "charging station"
+    assert index.resolve("bath room").name == "bathroom"

@@ -189,6 +189,10 @@ def test_what_is_said_and_what_a_grammar_hears(engine: IntentEngine, kind: str, 
         ("distance", "1.5 meters and a half"),  # a recogniser's "one meter and a half"
         ("distance", "1.5 and a half meters"),
         ("distance", "half a meter and a half"),
+        ("distance", "2.5 meters fifty"),  # 2.55 m, or two meters fifty
+        ("distance", "five and a half feet three"),
+        ("duration", "half a minute thirty"),
+        ("duration", "1.5h30"),
         ("distance", "75 -300 mm"),
         ("distance", "1/0 meters"),
         ("distance", "infinity meters"),

@@ -235,11 +235,49 @@ def test_what_else_is_said(engines, language: str, kind: str, form: str, value: 
         ("fr", "number", "vingt-cinquième"),  # an ordinal, and no 20/5
         ("it", "number", "terzo"),
         ("es", "distance", "un metro y tres"),
+        ("de", "distance", "zweieinhalb Meter fünfzig"),
+        ("fr", "duration", "1,5 h 30"),
+        # A rest of "null Komma fünf".
+        *(("de", "distance", "null fünf Meter"), ("fr", "distance", "zéro cinq mètres")),
+        *(("es", "distance", "cero cinco metros"), ("it", "distance", "zero cinque metri")),
     ],
 )
 def test_what_is_no_clear_quantity(engines, language: str, kind: str, form: str) -> None:
     reads(engines, language, kind, form, None)
     assert evaluate(words(form, language), kind, language) is None
+
+
+@pytest.mark.parametrize(
+    ("language", "form"),
+    [
+        ("de", "fünf, und zwanzig meter"),
+        ("fr", "quarante, cinq mètres"),
+        ("fr", "quatre, vingt mètres"),
+        ("fr", "quatre-vingt, dix mètres"),
+        ("fr", "mille vingt, cinq mètres"),
+        ("es", "cuarenta, cinco metros"),
+        ("es", "treinta, y un metros"),
+        ("it", "quaranta, cinque metri"),
+    ],
+)
+def test_a_small_number_has_no_pause_within(engines, language: str, form: str) -> None:
+    """It may be the second that puts the first right; larger ones have such pauses: "mil, quinientos"."""
+    reads(engines, language, "distance", form, None)
+
+
+@pytest.mark.parametrize(
+    ("language", "form", "value"),
+    [
+        ("de", "zweitausend, fünfhundert meter", 2500),
+        ("fr", "deux mille, cinq cents mètres", 2500),
+        ("fr", "cent, quatre-vingts mètres", 180),
+        ("es", "mil, quinientos metros", 1500),
+        ("it", "duemila, cinquecento metri", 2500),
+        ("fr", "deux, et demi mètres", 2.5),
+    ],
+)
+def test_a_large_number_has_pauses_within(engines, language: str, form: str, value: float) -> None:
+    reads(engines, language, "distance", form, value)
 
 
 @pytest.mark.parametrize("language", ["en", *LANGUAGES])

@@ -112,8 +112,6 @@ def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tup
     at = 0
     while at < len(words):
         value, end = next(numbers_at(words, at, language), (-1.0, at + 1))
-        if _whole(words[at : at + 1], language) == 0:
-            value, end = 0.0, at + 1  # text2num has 4 for "null vier"
         other = value < 0 or (whole and not value.is_integer())
         if other:
             end = at + 1
@@ -180,6 +178,8 @@ def _whole(words: Sequence[str], language: str) -> float | None:
     table = units(language)
     if table is not None and not table.words.get("no_number", frozenset()).isdisjoint(words):
         return None  # "unos metros" are some, and not one
+    if len(words) > 1 and _text2num(_respelled(words[0], language), language) == 0:
+        return None  # "null vier" may be a rest of "null Komma vier"; text2num has 4
     known = [_respelled(word, language) for word in _joined(words, language)]
     value = _text2num(" ".join(known), language)
     if value is not None:
