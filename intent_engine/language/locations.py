@@ -94,10 +94,18 @@ class LocationMap(Mapping[str, Location]):
         """Every name and alias as the file has it."""
         return (spoken for spoken, _ in self._spoken())
 
-    @cached_property
+    @property
     def index(self) -> NameIndex:
-        """For names that are only nearly said."""
-        return NameIndex(self._spoken())
+        """For names that are only nearly said, in English."""
+        return self.index_in("en")
+
+    def index_in(self, language: str) -> NameIndex:
+        """For names that are only nearly said, in a language."""
+        return self._indexes.setdefault(language, NameIndex(self._spoken(), language))
+
+    @cached_property
+    def _indexes(self) -> dict[str, NameIndex]:
+        return {}
 
     def _spoken(self) -> Iterator[tuple[str, str]]:
         if isinstance(self.places, Places):

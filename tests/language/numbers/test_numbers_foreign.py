@@ -282,3 +282,19 @@ def test_a_place_has_its_number_in_words_that_join(engine_of, language, go, come
     both = engine.parse(f"{said} {joint} {come}")
     assert [step["intent"] for step in both.slots["steps"]] == ["go", "come"]
     assert not engine.parse(f"{go} {name} vingt et douze" if language == "fr" else f"{go} {name} veinte y doce").actions
+
+
+@pytest.mark.parametrize(
+    ("said", "place"), [("2", "zimmer zwei"), ("zwo", "zimmer zwei"), ("zwei", "zimmer zwei"), ("3", None)]
+)
+def test_a_map_may_have_numbers_in_words(engine_of, said: str, place: str | None) -> None:
+    """Recognisers write them in figures."""
+    engine = engine_of(NUMBERED.format(language="de", go="fahr in", come="komm"), locations={"zimmer zwei": (1.0, 0.0)})
+    assert engine.parse(f"fahr in zimmer {said}").slots.get("place") == place
+
+
+def test_a_language_of_text2num_without_a_file_of_units(engine_of) -> None:
+    own = "operators: {negation: [não], stop: [pare]}" + NUMBERED.format(language="pt", go="vai para", come="vem")
+    engine = engine_of(own, locations={"sala 3": (1.0, 0.0)})
+    assert engine.parse("vai para sala três").slots == {"place": "sala 3"}
+    assert not engine.parse("vai para sala quatro").actions
