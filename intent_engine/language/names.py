@@ -1,8 +1,8 @@
 """A list of names, found again from what was heard: exactly, by number, by sound, by spelling.
 
 Names that differ in a number or a letter are different names, however alike they are spelled: "bay 3" is never
-"bay 13", nor "sala tres" "sala trece". A name that was only nearly said needs words that may be taken for each other, a score, and a margin to the
-second best; a wrong place costs more than a question.
+"bay 13", nor "sala tres" "sala trece". A name that was only nearly said needs words that may be taken for each other, a
+score, and a margin to the second best; a wrong place costs more than a question.
 """
 
 from __future__ import annotations
