@@ -27,11 +27,11 @@ _HYPHENS = re.compile(
     r"(?:(?<=[^\W\d_])[-−‐‑‒–]"
     r"|(?<=[^\W_]),[-−‐‑‒–]"
     r"|(?<=[^\W\d_])\s+[-‐‑‒–]\s+"
-    r"|(?<=\d)\s+[-−‐‑‒–]"
+    r"|(?<=\d)\s+[-−‐‑‒–]\s*"
     r"|[=:(]\s*[-‐‑‒–]\s+)(?=\.?\d)"
 )
-"""Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "10 -5", "z - 5", "z = - 5". Others are
-what they seem: "z -5" has a sign, "3-5" none."""
+"""Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "10 -5", "z - 5", "z = - 5".
+Others are what they seem: "z -5" has a sign, "3-5" none."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
