@@ -99,7 +99,14 @@ def test_it_is_none_in_a_name_and_as_a_pause(engine: IntentEngine, said: str, sl
 
 @pytest.mark.parametrize(
     "said",
-    ["rotate the table-90", "rotate the table - 90 degrees", "shift to x-5", "go to 10 -20", "go to 10 \u201320"],
+    [
+        "rotate the table-90",
+        "rotate the table - 90 degrees",
+        "shift to x-5",
+        "go to 10 -20",
+        "go to 10 - 20",
+        "go to 10 \u201320",
+    ],
 )
 def test_what_may_be_either_is_not_done(engine: IntentEngine, said: str) -> None:
     found = engine.parse(said)
