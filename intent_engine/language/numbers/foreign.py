@@ -101,7 +101,8 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
 
 
 def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tuple[str, ...]:
-    """Words with the numbers among them in digits: "halle drei" is "halle 3". An article is none ("ein").
+    """Words with the numbers among them in digits: "halle drei" is "halle 3". An article is none ("ein"), if a word
+    follows that it may belong to.
 
     Args:
         words: normalised.
@@ -115,7 +116,8 @@ def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tup
         other = value < 0 or (whole and not value.is_integer())
         if other:
             end = at + 1
-        kept = other or is_numeral(words[at]) or is_article(words[at:end], language)
+        article = not 0 < at == len(words) - 1 and is_article(words[at:end], language)
+        kept = other or is_numeral(words[at]) or article
         found += words[at:end] if kept else [str(int(value)) if value.is_integer() else f"{value:.10g}"]
         at = end
     return tuple(found)

@@ -149,6 +149,10 @@ def test_a_quantity_of_another_language(language: str, said: str, kind: str, val
         ("de", "raum zwei null vier", "raum 2 0 4"),
         ("fr", "bureau vingt et un", "bureau 21"),
         ("es", "sala doce b", "sala 12 b"),
+        ("it", "sala uno", "sala 1"),
+        ("fr", "salle une", "salle 1"),
+        ("it", "una sala uno b", "una sala uno b"),  # "b" may be a word of its own
+        ("fr", "un", "un"),
         ("de", "die große halle", "die große halle"),
         ("de", "anderthalb meter", "anderthalb meter"),
     ],
