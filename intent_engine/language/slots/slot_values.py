@@ -87,7 +87,7 @@ class SlotValues:
     ) -> SlotReading:
         if slot.digits:
             said = list(said_together(said, self._grammar.language))
-        value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
+        value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "5 k" are no 5000 to one with a "k"
         if value is None and slot.type == "percent":
             value = quantities.share(said, self._grammar.language)  # "half" is never half a percent
         if value is None and (slot.type != "number" or slot.bare):
