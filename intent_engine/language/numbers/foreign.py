@@ -22,8 +22,8 @@ __all__ = [
     "said_apart",
 ]
 
-LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
-"""What text2num knows, besides English."""
+LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt"))
+"""What text2num knows, besides English; of any other it raises."""
 MAX_WORDS = 16
 
 SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}

@@ -302,3 +302,14 @@ def test_a_language_of_text2num_without_a_file_of_units(engine_of) -> None:
     engine = engine_of(own, locations={"sala 3": (1.0, 0.0)})
     assert engine.parse("vai para sala três").slots == {"place": "sala 3"}
     assert not engine.parse("vai para sala quatro").actions
+
+
+@pytest.mark.parametrize("language", ["ca", "nl", "pt", "sv", "xx"])
+@pytest.mark.parametrize("kind", ["number", "ordinal"])
+def test_words_of_a_language_without_a_file_are_no_error(engine_of, language: str, kind: str) -> None:
+    own = f"language: {language}\noperators: {{negation: [nee], stop: [halt]}}\nslots: {{place: location, n: {kind}}}\n"
+    own += 'intents:\n  a: {action: custom, sentences: ["aa {n}"]}\n  b: {action: custom, sentences: ["bb {place}"]}\n'
+    engine = engine_of(own, locations={"sala 3": (1.0, 0.0)})
+    assert engine.parse("aa 3").slots == {"n": 3}
+    for said in ("aa primer", "aa drie", "bb sala tres", "bb sala três", "bb sala"):
+        engine.parse(said)  # raises nothing
