@@ -94,10 +94,18 @@ class LocationMap(Mapping[str, Location]):
         """Every name and alias as the file has it."""
         return (spoken for spoken, _ in self._spoken())
 
-    @cached_property
+    @property
     def index(self) -> NameIndex:
-        """For names that are only nearly said."""
-        return NameIndex(self._spoken())
+        """For names that are only nearly said, in English."""
+        return self.index_in("en")
+
+    def index_in(self, language: str) -> NameIndex:
+        """For names that are only nearly said, in a language."""
+        return self._indexes.setdefault(language, NameIndex(self._spoken(), language))
+
+    @cached_property
+    def _indexes(self) -> dict[str, NameIndex]:
+        return {}
 
     def _spoken(self) -> Iterator[tuple[str, str]]:
         if isinstance(self.places, Places):
@@ -179,7 +187,8 @@ def from_text(text: str, name: str = "<text>") -> LocationMap:
 def _quickly(path: Path) -> tuple[Places, str] | None:
     """The places and the frame of a plainly written YAML map without a fault; None for any other file."""
     try:
-        if path.suffix.lower() == ".csv" or path.stat().st_size > MAX_BYTES:
+        # What is no file but a pipe can be read only once, and that carefully.
+        if path.suffix.lower() == ".csv" or not path.is_file() or path.stat().st_size > MAX_BYTES:
             return None
         found = read_map(path.read_text("utf-8"))
     except (OSError, UnicodeDecodeError):

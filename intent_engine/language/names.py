@@ -1,18 +1,18 @@
 """A list of names, found again from what was heard: exactly, by number, by sound, by spelling.
 
 Names that differ in a number or a letter are different names, however alike they are spelled: "bay 3" is never
-"bay 13". A name that was only nearly said needs words that may be taken for each other, a score, and a margin to the
-second best; a wrong place costs more than a question.
+"bay 13", nor "sala tres" "sala trece". A name that was only nearly said needs words that may be taken for each other, a
+score, and a margin to the second best; a wrong place costs more than a question.
 """
 
 from __future__ import annotations
 
-import itertools
 import threading
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from intent_engine.language.numbers import foreign
 from intent_engine.language.slots.name_words import (
     ARTICLES,
     OWNERS,
@@ -80,10 +80,12 @@ class NameIndex:
 
     Args:
         entries: (spoken form, canonical name) pairs; several forms may stand for one name.
+        language: whose words the numbers in them may be, besides English ones.
     """
 
-    def __init__(self, entries: Iterable[tuple[str, str]]) -> None:
+    def __init__(self, entries: Iterable[tuple[str, str]], language: str = "en") -> None:
         self._entries: Iterable[tuple[str, str]] = entries
+        self._language = language
         self._lock = threading.Lock()
         self._tables: _Tables | None = None
 
@@ -99,7 +101,7 @@ class NameIndex:
         if tables is None:
             with self._lock:
                 if self._tables is None:
-                    self._tables = _Tables(self._entries)
+                    self._tables = _Tables(self._entries, self._language)
                     self._entries = ()
                 tables = self._tables
         return tables
@@ -112,13 +114,14 @@ class NameIndex:
         """
         tables = self._ready()
         heard = raw_words(words) if isinstance(words, str) else tuple(word for word in words if word)
-        said = name_words(heard)
+        counted = _in_digits(heard, self._language)
+        said = name_words(counted)
         if not said:
             return Match("unknown", None)
         names = tables.names_of(said)
         if names:
             return _exactly(names, heard, said)
-        return _judged(self._search(tables, heard, said)) or self._unknown(tables, without_article(said))
+        return _judged(self._search(tables, counted, said)) or self._unknown(tables, without_article(said))
 
     def _search(self, tables: _Tables, heard: Sequence[str], said: tuple[str, ...]) -> list[_Found]:
         """Every name that is near, best first."""
@@ -176,13 +179,20 @@ def _judged(ranked: list[_Found]) -> Match | None:
     )
 
 
+def _in_digits(words: Words, language: str) -> Words:
+    """Words with the numbers of a language in digits; the English ones are read as they are."""
+    if language == "en" or not any(word.isalpha() and foreign.is_number_word(word, language) for word in words):
+        return words
+    return foreign.in_digits(words, language)
+
+
 class _Tables:
     """The names, arranged to be found."""
 
-    def __init__(self, entries: Iterable[tuple[str, str]]) -> None:
+    def __init__(self, entries: Iterable[tuple[str, str]], language: str) -> None:
         exact: dict[Words, tuple[str, ...]] = {}
         for spoken, name in entries:
-            words = name_words(spoken)
+            words = name_words(spoken if language == "en" else _in_digits(raw_words(spoken), language))
             if words:
                 names = exact.get(words)
                 if names is None:
@@ -326,15 +336,19 @@ class _Group:
 
 
 def _stands_in(words: Words, said: Words) -> bool:
-    """Whether a name was said as it is, together or apart, and words beside it: these were heard, and say something.
-    "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "anti clockwise or"
-    "anticlockwise"."""
+    """Whether a name was said as it is, together or apart, and words beside it or between: these were heard, and say
+    something. "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "bath or room"
+    "bathroom"."""
     from intent_engine.language.words.likeness import sound
 
-    name, letters = [sound(word) for word in words], "".join(words)
-    heard = [sound(word) for word in said]
-    parts = itertools.combinations(range(len(said) + 1), 2)
-    return any(heard[at:end] == name or "".join(said[at:end]) == letters for at, end in parts if end - at < len(said))
+    heard = map(sound, said)
+    if len(said) > len(words) and all(sound(word) in heard for word in words):  # in this order
+        return True
+    letters = "".join(words)
+    ends = {0}  # of the beginnings that some of the words are, one after the other
+    for word in said:
+        ends |= {end + len(word) for end in ends if letters.startswith(word, end)}
+    return len("".join(said)) > len(letters) and len(letters) in ends
 
 
 def _split(words: Words) -> tuple[tuple[str, ...], str]:

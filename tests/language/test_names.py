@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from intent_engine.language.locations import load
 from intent_engine.language.names import Match, NameIndex
 from intent_engine.language.numbers import english, english_words
+from intent_engine.language.numbers.said import spell
 from intent_engine.language.slots.name_words import is_identifier, name_words, without_article
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -296,6 +297,30 @@ def test_names_that_differ_in_a_number_never_cross(spoken, said):
         assert mine == [word for word in name_words(match.name) if is_identifier(word)]
 
 
+@settings(max_examples=25)
+@given(st.sampled_from(["de", "es", "fr", "it"]), *[st.integers(0, 999)] * 2)
+def test_nor_do_numbers_in_words_of_other_languages(language: str, said: int, known: int) -> None:
+    """ "Sala tres" is never "sala trece", nor "salle soixante-sept" "salle soixante-dix-sept"."""
+    index = NameIndex([(f"sala {' '.join(spell(known, language))}", "there")], language)
+    for heard in (str(said), " ".join(spell(said, language))):
+        assert index.resolve(f"sala {heard}").name == ("there" if said == known else None)
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "known"),
+    [
+        ("es", "sala trece", "sala tres"),
+        ("fr", "salle soixante-sept", "salle soixante-dix-sept"),
+        ("de", "Raum einhundertsieben", "Raum einhundertsiebzehn"),
+        ("it", "sala cinquantadue", "sala cinquantotto"),
+    ],
+)
+def test_such_numbers_sound_alike(language: str, said: str, known: str) -> None:
+    index = NameIndex([(known, known)], language)
+    assert index.resolve(said).name is None
+    assert index.resolve(known).name == known
+
+
 @given(st.integers(0, 9999), st.integers(0, 9999))
 def test_a_number_is_its_value_and_no_other(said, known):
     from intent_engine.language.numbers.numerals import numeral_value
@@ -385,3 +410,16 @@ def test_a_name_that_was_said_as_it_is_takes_no_other_word_in(
     index = _index(spoken)
     assume(index.resolve(name).status == "exact")
     assert index.resolve(f"{other} {name}" if before else f"{name} {other}").name is None
+    words = name.split()
+    at = data.draw(st.integers(1, len(words)))
+    assert index.resolve([*words[:at], *other.split(), *words[at:]]).name is None
+
+
+@pytest.mark.parametrize("other", ["or", "and", "to", "no", "in", "er"])
+def test_a_name_takes_no_word_between_its_own(other: str) -> None:
+    """ "Bath or room" is no way to say "bathroom", nor "turbo or boost" "turbo boost"."""
+    index = _index(["turbo boost", "bathroom", "charging station"])
+    for said in (f"turbo {other} boost", f"bath {other} room", f"charging {other} station"):
+        assert index.resolve(said).name is None, said
+    assert index.resolve("charging the station").name == "charging station"
+    assert index.resolve("bath room").name == "bathroom"

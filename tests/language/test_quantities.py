@@ -106,6 +106,7 @@ ROWS: dict[str, list[tuple[str, float]]] = {
         ("three quarter turn", 1.5 * math.pi),
         ("a full turn", 2 * math.pi),
         ("one and a half turns", 3 * math.pi),
+        ("two half turns", 2 * math.pi),
         ("a right angle", math.pi / 2),
         ("about face", math.pi),
         ("u-turn", math.pi),
@@ -185,10 +186,19 @@ def test_what_is_said_and_what_a_grammar_hears(engine: IntentEngine, kind: str, 
         ("distance", "a few meters"),
         ("distance", "four of the inches"),
         ("angle", "two turn"),  # "I want to turn"
+        ("distance", "two half meters"),  # two and a half
+        ("angle", "30 half degrees"),
+        ("distance", "two oh half meters"),
+        ("distance", "+-5 mm"),
+        ("distance", "+/- 5 mm"),
         ("distance", "four meters and a half in"),  # "... in a meter per second"
         ("distance", "1.5 meters and a half"),  # a recogniser's "one meter and a half"
         ("distance", "1.5 and a half meters"),
         ("distance", "half a meter and a half"),
+        ("distance", "2.5 meters fifty"),  # 2.55 m, or two meters fifty
+        ("distance", "five and a half feet three"),
+        ("duration", "half a minute thirty"),
+        ("duration", "1.5h30"),
         ("distance", "75 -300 mm"),
         ("distance", "1/0 meters"),
         ("distance", "infinity meters"),

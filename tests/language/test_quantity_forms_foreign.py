@@ -189,6 +189,8 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("de", "duration", "eine Viertelstunde", 900),
         ("de", "duration", "1,5 Std.", 5400),
         ("de", "angle", "eine ganze Drehung", 2 * math.pi),
+        ("de", "angle", "zwei halbe Drehungen", 2 * math.pi),
+        ("de", "angle", "drei Vierteldrehungen", 1.5 * math.pi),
         ("de", "speed", "fünf Kilometer die Stunde", 5 / 3.6),
         ("fr", "number", "une demi-douzaine", 6),
         ("fr", "number", "zero virgule cinq", 0.5),
@@ -196,6 +198,7 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("fr", "duration", "une heure et trois quarts", 6300),
         ("fr", "angle", "un tour complet", 2 * math.pi),
         ("fr", "angle", "un angle droit", math.pi / 2),
+        ("fr", "angle", "deux demi-tours", 2 * math.pi),
         ("fr", "ordinal", "2e", 2),
         ("fr", "ordinal", "1re", 1),
         ("es", "number", "media docena", 6),
@@ -205,6 +208,7 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("es", "duration", "una hora y treinta y cinco", 5700),
         ("es", "distance", "cincuenta centimetros", 0.5),
         ("es", "angle", "una vuelta completa", 2 * math.pi),
+        ("es", "angle", "tres medias vueltas", 3 * math.pi),
         ("es", "angle", "90º", math.pi / 2),
         ("es", "ordinal", "1º", 1),
         ("es", "ordinal", "3ª", 3),
@@ -215,6 +219,7 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("it", "distance", "un metro e cinquanta", 1.5),
         ("it", "distance", "due metri in più", 2),
         ("it", "angle", "un angolo retto", math.pi / 2),
+        ("it", "angle", "due mezzi giri", 2 * math.pi),
         ("it", "ordinal", "l'ultimo", -1),
         ("it", "ordinal", "3°", 3),
         ("it", "percent", "cinquanta percento", 0.5),
@@ -235,11 +240,49 @@ def test_what_else_is_said(engines, language: str, kind: str, form: str, value: 
         ("fr", "number", "vingt-cinquième"),  # an ordinal, and no 20/5
         ("it", "number", "terzo"),
         ("es", "distance", "un metro y tres"),
+        ("de", "distance", "zweieinhalb Meter fünfzig"),
+        ("fr", "duration", "1,5 h 30"),
+        # A rest of "null Komma fünf".
+        *(("de", "distance", "null fünf Meter"), ("fr", "distance", "zéro cinq mètres")),
+        *(("es", "distance", "cero cinco metros"), ("it", "distance", "zero cinque metri")),
     ],
 )
 def test_what_is_no_clear_quantity(engines, language: str, kind: str, form: str) -> None:
     reads(engines, language, kind, form, None)
     assert evaluate(words(form, language), kind, language) is None
+
+
+@pytest.mark.parametrize(
+    ("language", "form"),
+    [
+        ("de", "fünf, und zwanzig meter"),
+        ("fr", "quarante, cinq mètres"),
+        ("fr", "quatre, vingt mètres"),
+        ("fr", "quatre-vingt, dix mètres"),
+        ("fr", "mille vingt, cinq mètres"),
+        ("es", "cuarenta, cinco metros"),
+        ("es", "treinta, y un metros"),
+        ("it", "quaranta, cinque metri"),
+    ],
+)
+def test_a_small_number_has_no_pause_within(engines, language: str, form: str) -> None:
+    """It may be the second that puts the first right; larger ones have such pauses: "mil, quinientos"."""
+    reads(engines, language, "distance", form, None)
+
+
+@pytest.mark.parametrize(
+    ("language", "form", "value"),
+    [
+        ("de", "zweitausend, fünfhundert meter", 2500),
+        ("fr", "deux mille, cinq cents mètres", 2500),
+        ("fr", "cent, quatre-vingts mètres", 180),
+        ("es", "mil, quinientos metros", 1500),
+        ("it", "duemila, cinquecento metri", 2500),
+        ("fr", "deux, et demi mètres", 2.5),
+    ],
+)
+def test_a_large_number_has_pauses_within(engines, language: str, form: str, value: float) -> None:
+    reads(engines, language, "distance", form, value)
 
 
 @pytest.mark.parametrize("language", ["en", *LANGUAGES])

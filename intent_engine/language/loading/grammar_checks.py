@@ -205,7 +205,7 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
 def _known_size(words: tuple[str, ...], slot: Slot, sizes: Mapping[tuple[str, ...], float], language: str) -> float:
     """The size of a unit that has a name already: one of the slot's own, or one that everybody knows; 0: none has.
 
-    A sign that scales a number is none: who has grams in units says "250 g" of these.
+    A sign that scales a number is none: who has a "k" in units says "5 k" of these.
     """
     if slot.type == "number" and len(words) == 1 and words[0] in SUFFIXES:
         return sizes.get(words, 0.0)

@@ -366,6 +366,9 @@ _READ: Mapping[str, Callable[[Any], Any]] = {
     "null": _CONSTRUCTOR.construct_yaml_null,
     "timestamp": lambda node: node.value,
 }
+_READ_OTHERWISE = re.compile(r"[-+]?0[0-7_]+|.*:.*")
+"""Numbers that YAML 1.1 takes for octal, "010" for 8, and for minutes and seconds, "1:30" for 90. Nobody who writes a
+file means these; they stay the text that they are, which is no number."""
 
 
 def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
@@ -374,6 +377,8 @@ def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
     if read is None:
         return node.value
     source.raw[path] = node.value
+    if tag in ("int", "float") and _READ_OTHERWISE.fullmatch(node.value):
+        return node.value
     try:
         return read(node)
     except (ValueError, KeyError, yaml.YAMLError):  # "!!bool maybe"

@@ -189,6 +189,8 @@ def fraction(words: Sequence[str], at: int) -> Found | None:
                     return None  # "one hundred thirty fifth"
                 return shorter[0] / joined[0], joined[1]
         bottom = _denominator(words, top[1])
+        if bottom is not None and (top[0] == 0 or (top[0] > 1 and words[bottom[1] - 1] == "half")):
+            return None  # "two half meters" are rather two and a half
         if bottom is not None and not _is_ordinal(words, top, bottom[1]):
             return top[0] / bottom[0], bottom[1]
         # "three twenty-firsts": the tens belong to the denominator, not to "three twenty"

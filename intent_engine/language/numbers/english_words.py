@@ -33,8 +33,8 @@ SCALES = {
     "crore": 1e7, "crores": 1e7, "billion": 1e9, "billions": 1e9, "bln": 1e9, "trillion": 1e12, "trillions": 1e12,
     "tln": 1e12,
 }  # fmt: skip
-SUFFIXES = {"k": 1e3, "g": 1e9, "t": 1e12}
-"""Signs that scale a numeral: "10 k". ``m`` is not one: to a robot "10 m" is ten meters."""
+SUFFIXES = {"k": 1e3}
+"""Signs that scale a numeral: "10 k". Others are units: "10 m" are ten meters, "5 g" five grams, "2 t" two tons."""
 ORDINAL_UNITS = {
     "first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "seventh": 7, "eighth": 8, "ninth": 9,
     "tenth": 10, "eleventh": 11, "twelfth": 12, "thirteenth": 13, "fourteenth": 14, "fifteenth": 15, "sixteenth": 16,

@@ -22,8 +22,8 @@ __all__ = [
     "said_apart",
 ]
 
-LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
-"""What text2num knows, besides English."""
+LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt"))
+"""What text2num knows, besides English; of any other it raises."""
 MAX_WORDS = 16
 
 SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
@@ -101,7 +101,8 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
 
 
 def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tuple[str, ...]:
-    """Words with the numbers among them in digits: "halle drei" is "halle 3". An article is none ("ein").
+    """Words with the numbers among them in digits: "halle drei" is "halle 3". An article is none ("ein"), if a word
+    follows that it may belong to.
 
     Args:
         words: normalised.
@@ -112,12 +113,11 @@ def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tup
     at = 0
     while at < len(words):
         value, end = next(numbers_at(words, at, language), (-1.0, at + 1))
-        if _whole(words[at : at + 1], language) == 0:
-            value, end = 0.0, at + 1  # text2num has 4 for "null vier"
         other = value < 0 or (whole and not value.is_integer())
         if other:
             end = at + 1
-        kept = other or is_numeral(words[at]) or is_article(words[at:end], language)
+        article = not 0 < at == len(words) - 1 and is_article(words[at:end], language)
+        kept = other or is_numeral(words[at]) or article
         found += words[at:end] if kept else [str(int(value)) if value.is_integer() else f"{value:.10g}"]
         at = end
     return tuple(found)
@@ -125,7 +125,8 @@ def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tup
 
 def _value(words: Sequence[str], at: int, end: int, language: str) -> float | None:
     table = units(language)
-    assert table is not None
+    if table is None:  # text2num knows more languages than have such a file
+        return _whole(words[at:end], language)
     for place in range(at + 1, end - 1):
         if words[place] in table.words.get("point", ()):
             whole = _whole(words[at:place], language)
@@ -180,6 +181,8 @@ def _whole(words: Sequence[str], language: str) -> float | None:
     table = units(language)
     if table is not None and not table.words.get("no_number", frozenset()).isdisjoint(words):
         return None  # "unos metros" are some, and not one
+    if len(words) > 1 and _text2num(_respelled(words[0], language), language) == 0:
+        return None  # "null vier" may be a rest of "null Komma vier"; text2num has 4
     known = [_respelled(word, language) for word in _joined(words, language)]
     value = _text2num(" ".join(known), language)
     if value is not None:

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from intent_engine.language.numbers.foreign import LANGUAGES, number
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
-from intent_engine.language.numbers.units import units
+from intent_engine.language.numbers.units import Units, units
 
 __all__ = ["is_ordinal_word", "ordinal"]
 
@@ -18,8 +18,8 @@ _DIGITS = re.compile(r"(\d+)[^\d\s]*")
 
 def ordinal(words: Sequence[str], language: str) -> float | None:
     """ "Dritte", "vingt et unième", "3ème", "3."; a plain number too, and "the last" (-1)."""
-    table = units(language)
-    if not words or table is None:
+    table = units(language) or Units({}, {})
+    if not words:
         return None
     if len(words) > 1 and words[0] in table.words.get("the", ()):
         words = words[1:]  # "der dritte"

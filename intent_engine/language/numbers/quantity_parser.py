@@ -237,7 +237,9 @@ class QuantityParser:
                 yield from ((value + sign * rest, last) for rest, last in extended)
         square = words[after - 1] == "m" and onward < len(words) and words[onward] in ("2", "3")  # "2 m2"
         led = not joined or kind == "duration" or words[after] in self._table.words.get("and_smaller", ())
-        if key in _SMALLER and led and not square:
+        # "2.5 meters fifty" may be 2.55 m, "1.5 hours thirty" an hour and a half, said twice over.
+        counted = tidy(value / factor).is_integer()
+        if key in _SMALLER and led and counted and not square:
             size, most = _SMALLER[key]
             for number, end in self.numbers_at(words, onward):
                 if end < len(words) and any(self._unit(words, end, other) is not None for other in self._table.by_kind):

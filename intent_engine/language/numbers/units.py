@@ -25,7 +25,7 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     },
     "angle": {
         "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "arcmin": math.pi / 10800,
-        "right_angle": math.pi / 2,
+        "right_angle": math.pi / 2, "half_turn": math.pi,
     },
     "percent": {"percent": 0.01},
 }  # fmt: skip

@@ -174,7 +174,7 @@ def _is_cut(last: str, first: str, language: str) -> bool:
 def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], language: str) -> bool:
     """Whether the number words around the end of a quantity are two numbers, and can only be cut there: "ten fifteen"
     is none, and "six thirty" is more than an hour can be; but 100 and 200 may be 102 and 100."""
-    if words[slot.end - 1] in HALVES:
+    if words[slot.end - 1] in HALVES or _multiplies(words[slot.end - 1], words[after.start], language):
         return False
     start, end = slot.end - 1, after.start + 1
     while start > slot.start and is_number(words[start - 1], language):
@@ -189,6 +189,13 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
         if may_hold(slot, words[start:cut], language) and may_hold(after, words[cut:end], language)
     )
     return list(cuts) == [slot.end]
+
+
+def _multiplies(last: str, first: str, language: str) -> bool:
+    """Whether a number counts another, as in "two hundred" and "quatre vingt": said so, it is one."""
+    values = (quantities.evaluate(words, "number", language) for words in ([last], [first], [last, first]))
+    one, other, both = (value if isinstance(value, float) else None for value in values)
+    return one is not None and other is not None and one > 1 and other > 1 and both == one * other
 
 
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:

@@ -79,13 +79,12 @@ class OwnUnits:
         return count * small
 
     def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
-        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion; and
-        of "2 g 500 mg" 2."""
+        """How many there are and where that ends: of "5 k" 5, where the slot has a "k", and else 5000."""
         sign = next((at for at, word in enumerate(words) if at and self._is_sign(word)), len(words))
         yield from quantities.counts(words[:sign], self._language)
 
     def _is_sign(self, word: str) -> bool:
-        """Whether a letter that may stand for thousands or more is a unit of the slot."""
+        """Whether a letter that may stand for thousands is a unit of the slot."""
         return (word,) in self._sizes and word in english_words.SUFFIXES
 
     def _without_and(self, words: Sequence[str]) -> Sequence[str]:

@@ -87,7 +87,7 @@ class SlotValues:
     ) -> SlotReading:
         if slot.digits:
             said = list(said_together(said, self._grammar.language))
-        value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
+        value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "5 k" are no 5000 to one with a "k"
         if value is None and slot.type == "percent":
             value = quantities.share(said, self._grammar.language)  # "half" is never half a percent
         if value is None and (slot.type != "number" or slot.bare):
@@ -207,11 +207,11 @@ class SlotValues:
     def index(self, slot: Slot) -> NameIndex:
         """The fuzzy index of a location or choice slot, made at first use."""
         if slot.type == "location" and not slot.tags and self._locations is not None:
-            return self._locations.index
+            return self._locations.index_in(self._grammar.language)
         with self._index_lock:
             index = self._indexes.get(slot.name)
             if index is None:
-                index = self._indexes[slot.name] = NameIndex(list(self._spellings(slot)))
+                index = self._indexes[slot.name] = NameIndex(list(self._spellings(slot)), self._grammar.language)
             return index
 
     def _spellings(self, slot: Slot) -> Iterator[tuple[str, str]]:

@@ -85,6 +85,15 @@ def test_what_was_written_is_kept_where_yaml_reads_something_else(text, path, ra
     assert parsed(text).raw[path] == raw
 
 
+@pytest.mark.parametrize(
+    ("written", "value"),
+    [("012", "012"), ("-07", "-07"), ("1:30", "1:30"), ("1:30.5", "1:30.5"), ("0x10", 16), ("1_000", 1000), ("0", 0),
+     ("01.5", 1.5), ("08", "08")],
+)  # fmt: skip
+def test_no_number_is_read_as_octal_or_as_minutes(written, value):
+    assert parsed(f"a: {written}").data == {"a": value}
+
+
 def test_what_is_text_stays_text():
     source = parsed("a: 'no'\nb: \"12\"\nc: !!str 12\nd: 2024-01-01\n")
     assert source.data == {"a": "no", "b": "12", "c": "12", "d": "2024-01-01"}

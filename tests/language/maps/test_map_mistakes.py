@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import os
 
 import pytest
 import yaml
@@ -20,6 +21,8 @@ MISTAKES = {
     "too large": (f"locations:\n  hall: {{x: 1{'0' * 400}, y: 2}}\n", ["2:13 x of 'hall' must be a finite number"]),
     "missing": ("locations:\n  hall: {x: 1}\n", ["2:3 'hall' needs 'y'"]),
     "boolean": ("locations:\n  hall: {x: yes, y: 2}\n", ["2:13 'x' must be a number"]),
+    "octal, to YAML": ("locations:\n  hall: {x: 010, y: -07}\n", ["2:13 'x' must be a number", "2:21 'y' must be"]),
+    "minutes, to YAML": ("locations:\n  hall: {x: 1:30, y: 2}\n", ["2:13 'x' must be a number"]),
     "misspelt key": ("locations:\n  hall: {x: 1, y: 2, yawn: 3}\n", ["2:22 unknown key 'yawn' (did you mean 'yaw'?)"]),
     "misspelt top": ("location:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'location' (did you mean"]),
     "YAML's on": ("locations:\n  on: {x: 1, y: 2}\n", ["2:3 YAML reads the name on as a value", ]),
@@ -194,3 +197,15 @@ def test_any_structure_is_a_map_or_told_what_is_wrong(data):
 def test_files_that_are_not_there(tmp_path, name, says):
     with pytest.raises(ConfigError, match=says):
         load(tmp_path / name)
+
+
+def test_a_map_that_comes_through_a_pipe_is_read_once():
+    """As ``--locations <(some program)`` gives it."""
+    for text in ("locations:\n  hall: {x: 1, y: 2}\n", "waypoints:\n- {name: hall, x: 1, y: 2}\n"):
+        reader, writer = os.pipe()
+        os.write(writer, text.encode())
+        os.close(writer)
+        try:
+            assert list(load(f"/dev/fd/{reader}")) == ["hall"]
+        finally:
+            os.close(reader)

@@ -149,6 +149,10 @@ def test_a_quantity_of_another_language(language: str, said: str, kind: str, val
         ("de", "raum zwei null vier", "raum 2 0 4"),
         ("fr", "bureau vingt et un", "bureau 21"),
         ("es", "sala doce b", "sala 12 b"),
+        ("it", "sala uno", "sala 1"),
+        ("fr", "salle une", "salle 1"),
+        ("it", "una sala uno b", "una sala uno b"),  # "b" may be a word of its own
+        ("fr", "un", "un"),
         ("de", "die große halle", "die große halle"),
         ("de", "anderthalb meter", "anderthalb meter"),
     ],
@@ -282,3 +286,30 @@ def test_a_place_has_its_number_in_words_that_join(engine_of, language, go, come
     both = engine.parse(f"{said} {joint} {come}")
     assert [step["intent"] for step in both.slots["steps"]] == ["go", "come"]
     assert not engine.parse(f"{go} {name} vingt et douze" if language == "fr" else f"{go} {name} veinte y doce").actions
+
+
+@pytest.mark.parametrize(
+    ("said", "place"), [("2", "zimmer zwei"), ("zwo", "zimmer zwei"), ("zwei", "zimmer zwei"), ("3", None)]
+)
+def test_a_map_may_have_numbers_in_words(engine_of, said: str, place: str | None) -> None:
+    """Recognisers write them in figures."""
+    engine = engine_of(NUMBERED.format(language="de", go="fahr in", come="komm"), locations={"zimmer zwei": (1.0, 0.0)})
+    assert engine.parse(f"fahr in zimmer {said}").slots.get("place") == place
+
+
+def test_a_language_of_text2num_without_a_file_of_units(engine_of) -> None:
+    own = "operators: {negation: [não], stop: [pare]}" + NUMBERED.format(language="pt", go="vai para", come="vem")
+    engine = engine_of(own, locations={"sala 3": (1.0, 0.0)})
+    assert engine.parse("vai para sala três").slots == {"place": "sala 3"}
+    assert not engine.parse("vai para sala quatro").actions
+
+
+@pytest.mark.parametrize("language", ["ca", "nl", "pt", "sv", "xx"])
+@pytest.mark.parametrize("kind", ["number", "ordinal"])
+def test_words_of_a_language_without_a_file_are_no_error(engine_of, language: str, kind: str) -> None:
+    own = f"language: {language}\noperators: {{negation: [nee], stop: [halt]}}\nslots: {{place: location, n: {kind}}}\n"
+    own += 'intents:\n  a: {action: custom, sentences: ["aa {n}"]}\n  b: {action: custom, sentences: ["bb {place}"]}\n'
+    engine = engine_of(own, locations={"sala 3": (1.0, 0.0)})
+    assert engine.parse("aa 3").slots == {"n": 3}
+    for said in ("aa primer", "aa drie", "bb sala tres", "bb sala três", "bb sala"):
+        engine.parse(said)  # raises nothing

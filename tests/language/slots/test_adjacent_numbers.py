@@ -19,6 +19,7 @@ slots:
   x: number
   y: number
   n: {type: number, whole: true}
+  short: {type: number, max: 100}
 intents:
   count: {action: {type: custom, name: count}, sentences: ["count to {n}"]}
   alarm:
@@ -26,7 +27,7 @@ intents:
     sentences: ["wake me at {hour} [{minute}] [am|pm]"]
   point:
     action: {type: custom, name: point}
-    sentences: ["point at {x} {y}"]
+    sentences: ["point at {x} {y}", "aim at {short:x} {short:y}"]
   between:
     action: {type: custom, name: between}
     sentences: ["between {x} and {y}"]
@@ -61,6 +62,12 @@ def test_what_could_be_one_number_or_two_is_asked_back(engine, said):
     found = engine.parse(f"point at {said}")
     assert (found.status, found.actions) == (Status.REJECTED, ())
     assert "could be one number or two" in found.reason
+
+
+@pytest.mark.parametrize(("said", "y"), [("two fifty", 50), ("two one hundred", 100), ("two hundred", None)])
+def test_a_number_that_counts_another_is_one_with_it(engine, said, y):
+    """ "Two hundred" are no two and a hundred, though it is more than a slot takes."""
+    assert [action.slots["y"] for action in engine.parse(f"aim at {said}").actions] == [y] * (y is not None)
 
 
 @given(st.integers(1, 12), st.integers(0, 59), st.sampled_from(["{}.{:02}", "{}:{:02}", "{}{:02}", "{} {:02}"]))

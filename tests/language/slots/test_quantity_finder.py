@@ -64,6 +64,9 @@ def test_a_quantity_may_end_with_the_text(text: str) -> None:
         ("one hundred and five people came", "number", 105),
         ("three point one four is close", "number", 3.14),
         ("two dozen eggs", "number", 24),
+        ("add 5 g of sugar", "number", 5),
+        ("a 2 t truck", "number", 2),
+        ("a 10 k run", "number", 10_000),
     ],
 )
 def test_a_quantity_in_words_that_are_none(text: str, kind: str, value: float) -> None:

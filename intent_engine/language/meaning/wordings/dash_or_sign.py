@@ -27,10 +27,11 @@ _HYPHENS = re.compile(
     r"(?:(?<=[^\W\d_])[-−‐‑‒–]"
     r"|(?<=[^\W_]),[-−‐‑‒–]"
     r"|(?<=[^\W\d_])\s+[-‐‑‒–]\s+"
+    r"|(?<=\d)\s+[-−‐‑‒–]\s*"
     r"|[=:(]\s*[-‐‑‒–]\s+)(?=\.?\d)"
 )
-"""Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "z - 5", "z = - 5". Others are
-what they seem: "z -5" has a sign, "3-5" none."""
+"""Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "10 -5", "z - 5", "z = - 5".
+Others are what they seem: "z -5" has a sign, "3-5" none."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
@@ -92,7 +93,8 @@ class DashOrSign:
             read = self._read(hyphen[0], word, found, otherwise) if count <= _MOST else _Read.EITHER
             if read is _Read.EITHER:
                 number = _NUMBER.match(signed, begin)
-                return signed, _either(text, f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0])
+                written = f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0]
+                return signed, _either(text, written, behind_number=word[-1:].isdigit())
             if read is _Read.SIGN:
                 begin += len(other) - len(signed)
                 signed, found = other, otherwise
@@ -125,6 +127,8 @@ class DashOrSign:
     def _of_slot(self, hyphen: str, before: str, reading: Reading, slot: SlotReading) -> _Read:
         if _MINUS in hyphen or any(sign in hyphen for sign in ",=("):
             return _Read.SIGN  # no name is written so, and no pause
+        if before[-1:].isdigit():
+            return _Read.EITHER  # two coordinates, or from the one to the other
         word = reading.words[slot.start - 1] if slot.start else ""
         if word != before and hyphen != hyphen.strip() and before in self._taking_back:
             return _Read.HYPHEN  # "at 10 - no - 20 degrees"
@@ -142,7 +146,9 @@ class DashOrSign:
 def _with_sign(text: str, hyphen: re.Match[str]) -> str:
     """A text in which a hyphen is written as nothing but a sign."""
     before = "".join(sign for sign in hyphen[0] if sign in ",=:(")
-    return f"{text[: hyphen.start()]}{before} {_MINUS}{text[hyphen.end() :]}"
+    # Behind a number and one blank it would be the dash of a range: "75 -300 mm".
+    apart = "  " if hyphen[0][0].isspace() and text[hyphen.start() - 1].isdigit() else " "
+    return f"{text[: hyphen.start()]}{before}{apart}{_MINUS}{text[hyphen.end() :]}"
 
 
 def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Reading, SlotReading]]:
@@ -156,6 +162,7 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
     }
 
 
-def _either(text: str, written: str) -> Understood:
-    reason = f"{written!r} could be below zero or not; write a space before the sign and none behind it, or say 'minus'"
+def _either(text: str, written: str, *, behind_number: bool = False) -> Understood:
+    how = "a comma between the numbers" if behind_number else "a space before the sign and none behind it"
+    reason = f"{written!r} could be below zero or not; write {how}, or say 'minus'"
     return Interpretation(text, Status.REJECTED, reason=reason), ()

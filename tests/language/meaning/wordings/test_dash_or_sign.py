@@ -66,6 +66,8 @@ def engine(engine_of) -> IntentEngine:
         ("go to x-20 y-20", {"x": -20, "y": -20}),
         ("go to x = - 10", {"x": -10}),
         ("go to 10,-20", {"x": 10, "y": -20}),
+        ("go to 10 \u221220", {"x": 10, "y": -20}),
+        ("go to 10, -20", {"x": 10, "y": -20}),
         ("shift to x\u22125", {"anywhere": -5}),
         ("index z-5", {"at": -5}),
         ("jog z-5 mm, no, z-3 mm", {"axis": "z", "far": -0.003}),
@@ -95,7 +97,17 @@ def test_it_is_none_in_a_name_and_as_a_pause(engine: IntentEngine, said: str, sl
     assert found.slots == pytest.approx(slots)
 
 
-@pytest.mark.parametrize("said", ["rotate the table-90", "rotate the table - 90 degrees", "shift to x-5"])
+@pytest.mark.parametrize(
+    "said",
+    [
+        "rotate the table-90",
+        "rotate the table - 90 degrees",
+        "shift to x-5",
+        "go to 10 -20",
+        "go to 10 - 20",
+        "go to 10 \u201320",
+    ],
+)
 def test_what_may_be_either_is_not_done(engine: IntentEngine, said: str) -> None:
     found = engine.parse(said)
     assert (found.status, found.actions) == (Status.REJECTED, ())
