@@ -65,7 +65,7 @@ def _sign(part: Part, after: Part | None) -> str | None:
             signs = sorted(letters)
             return signs[0] if not any(_said(sign, after) for sign in signs) else None
         case Row(parts):
-            onward = (*parts[1:], after)
+            onward = (*parts[1:], after) if parts else ()
             return next((sign for one, other in zip(parts, onward, strict=True) if (sign := _sign(one, other))), None)
         case OneOf(parts):
             signs_of = [_sign(one, after) for one in parts]
