@@ -149,13 +149,13 @@ class Sampler:
         if known is None:
             hint = did_you_mean(intent, self.grammar.intents) or f"there is {', '.join(self.grammar.intents)}"
             raise ConfigError(f"there is no intent {intent!r}; {hint}")
+        if known.requires - self._state or known.excludes & self._state:
+            needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
+            raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
         if not known.sentences:
             raise ConfigError(
                 f"intent {intent!r} has patterns only (regex, lark) of which nobody knows how they are said"
             )
-        if known.requires - self._state or known.excludes & self._state:
-            needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
-            raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
         raise ConfigError(f"no sentence of intent {intent!r} can be said: is a map missing, or a unit?")
 
     def draw(self, choices: Choices, intent: str | None = None) -> Sample:
