@@ -190,7 +190,7 @@ def slots_of_patterns(grammar: Grammar) -> set[str]:
 def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
     """Patterns of a grammar that was checked that nobody can say, because of what no text has any more that was said:
     signs, capitals, a blank beside another."""
-    from intent_engine.language.pattern.pattern_signs import unsaid_blank, unsaid_in_lark, unsaid_sign
+    from intent_engine.language.pattern.pattern_signs import unfit_end, unsaid_blank, unsaid_in_lark, unsaid_sign
 
     for intent in grammar.intents.values():
         at_lark = ("intents", intent.name, "lark")
@@ -206,6 +206,9 @@ def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
                     "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
                 )
                 yield places.problem(_at(intent, index, places), message, hint)
+            elif (letter := unfit_end(text)) is not None:
+                message = f"\\b beside {letter!r} fits nothing: RE2 knows the ends of English words alone"
+                yield places.problem(_at(intent, index, places), message, "leave it out: all of the words are compared")
             elif unsaid_blank(text):
                 message = "the regex asks for a blank beside another, or at an end, and what is said has none there"
                 hint = "write |- or quotes: what stands behind | ends with the end of its line"

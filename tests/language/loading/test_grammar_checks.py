@@ -36,7 +36,8 @@ FINE = {
         "intents:\n  x: {action: custom, sentences: [{say: lights on, slots: {domain: light}}]}\n"
     ),
     "a slot straight behind a bracket": (
-        "slots: {room: [hall, lab]}\nintents:\n  x: {action: custom, sentences: ['go (to|into){room} [the ]{room:by}']}\n"
+        "slots: {room: [hall, lab]}\n"
+        "intents:\n  x: {action: custom, sentences: ['go (to|into){room} [the ]{room:by}']}\n"
     ),
     "the same slot in two alternatives": (
         "slots: {place: text}\nintents:\n  x: {action: custom, sentences: ['go (to {place}|into {place})']}\n"
