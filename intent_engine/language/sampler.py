@@ -322,8 +322,18 @@ def _may_join(piece: Piece, between: Piece, after: Piece) -> bool:
     return between.text in (*piece.text.split(), *after.text.split())
 
 
+def _is_bare(piece: Piece, beside: Piece) -> bool:
+    """Whether a number that is no slot stands beside a quantity."""
+    return (
+        piece.slot is None and piece.text.isdigit() and beside.slot is not None and beside.slot.type in QUANTITY_KINDS
+    )
+
+
 def _run_together(piece: Piece, after: Piece) -> bool:
-    """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten"."""
+    """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten", "track 20" and
+    "five times" like "track 25"."""
+    if _is_bare(piece, after) or _is_bare(after, piece):
+        return True
     if piece.slot is None or after.slot is None or {piece.slot.type, after.slot.type} - set(QUANTITY_KINDS):
         return False
     if not isinstance(after.value, Relative):
