@@ -272,6 +272,8 @@ def _missing_hint(key: str, path: tuple[Any, ...], instance: dict[Any, Any]) -> 
         return "a place is {x: 5.0, y: 2.0, yaw: 0.0}, in m and rad"
     if path[-2:-1] == ("when",):
         return "- {slots: {name: value}, defaults: {name: value}}"
+    if key == "tests":
+        return 'tests: ["go left": {direction: left}, "go up": rejected]'
     if key == "say":
         return '- {say: "sentence", slots: {name: value}}'
     if key == "action":
