@@ -19,12 +19,17 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
+from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
+from intent_engine.language.reading import SlotReading
 from intent_engine.language.sampling.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.sampling.spoken_slots import SpokenSlots, size
 from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds, names_taken
+from intent_engine.language.slots.free_text import FreeText
+from intent_engine.language.slots.names_apart import named_otherwise
+from intent_engine.language.slots.slot_values import SlotValues
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.templates.template_tree import Sequence as Parts
 
@@ -111,6 +116,7 @@ class Sampler:
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
         self._spoken_slots = SpokenSlots(grammar, locations, texts)
+        self._values = SlotValues(grammar, locations, FreeText(grammar))
         self._patterns = PatternSampler(grammar, locations, self.spoken)
 
     @cached_property
@@ -149,13 +155,13 @@ class Sampler:
         if known is None:
             hint = did_you_mean(intent, self.grammar.intents) or f"there is {', '.join(self.grammar.intents)}"
             raise ConfigError(f"there is no intent {intent!r}; {hint}")
+        if known.requires - self._state or known.excludes & self._state:
+            needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
+            raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
         if not known.sentences:
             raise ConfigError(
                 f"intent {intent!r} has patterns only (regex, lark) of which nobody knows how they are said"
             )
-        if known.requires - self._state or known.excludes & self._state:
-            needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
-            raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
         raise ConfigError(f"no sentence of intent {intent!r} can be said: is a map missing, or a unit?")
 
     def draw(self, choices: Choices, intent: str | None = None) -> Sample:
@@ -210,6 +216,8 @@ class Sampler:
         """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
         if any(map(_run_together, pieces, pieces[1:])) or any(map(_may_join, pieces, pieces[1:], pieces[2:])):
             return None
+        if self._could_be_others(pieces):
+            return None
         said = {**sentence.fixed, **{piece.label: piece.value for piece in pieces if piece.label is not None}}
         try:
             slots = (
@@ -222,6 +230,20 @@ class Sampler:
         values = {label: value.factor if isinstance(value, Relative) else value for label, value in said.items()}
         kept = _one_article(pieces)
         return Sample(_joined(kept), intent, values, (action,), kept, sentence)
+
+    def _could_be_others(self, pieces: Sequence[Piece]) -> bool:
+        """Whether two names one after the other may be two others, so that nobody knows which are meant."""
+        words: list[str] = []
+        slots: list[SlotReading] = []
+        for piece in pieces:
+            start = len(words)
+            words.extend(words_of(piece.text))
+            if piece.slot is not None:
+                slots.append(SlotReading(piece.label or piece.slot.name, piece.slot, start, len(words), piece.value))
+        otherwise = named_otherwise(
+            slots, words, lambda one, begin, end: self._values.from_words(one.slot, one.label, words[begin:end], begin)
+        )
+        return otherwise is not None
 
     # -- trees --------------------------------------------------------------------------------------------------
 
@@ -322,8 +344,18 @@ def _may_join(piece: Piece, between: Piece, after: Piece) -> bool:
     return between.text in (*piece.text.split(), *after.text.split())
 
 
+def _is_bare(piece: Piece, beside: Piece) -> bool:
+    """Whether a number that is no slot stands beside a quantity."""
+    return (
+        piece.slot is None and piece.text.isdigit() and beside.slot is not None and beside.slot.type in QUANTITY_KINDS
+    )
+
+
 def _run_together(piece: Piece, after: Piece) -> bool:
-    """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten"."""
+    """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten", "track 20" and
+    "five times" like "track 25"."""
+    if _is_bare(piece, after) or _is_bare(after, piece):
+        return True
     if piece.slot is None or after.slot is None or {piece.slot.type, after.slot.type} - set(QUANTITY_KINDS):
         return False
     if not isinstance(after.value, Relative):

@@ -125,7 +125,8 @@ def _hint(text: str, column: int) -> str:
         return "a name in braces has letters, digits and '_': {how_far} or {distance:how_far}"
     if (character in "|)];" and before in "(|[;") or (character == "|" and not before):
         return "an empty alternative; write [words] for words that may be left out"
-    if character in "|;" and {"|", ";"} <= set(text):
+    depth = sum((one in "([") - (one in ")]") for one in text[:column])
+    if depth and character in "|;" and {"|", ";"} <= set(text):
         return "'|' and ';' cannot stand in the same brackets; put one of them in brackets of its own: ((a|b); c)"
     if character == ";":
         return "';' separates parts in any order, inside brackets: (a; b)"

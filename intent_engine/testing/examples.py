@@ -22,12 +22,14 @@ from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place, problem_at
+from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.grammar_intents import all_slots_by_label
 from intent_engine.language.loading.grammar_values import doubtful_numbers
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, near_file, read_yaml
 from intent_engine.language.normalize import words_of
 from intent_engine.language.templates.template_tree import references
+from intent_engine.language_tag import language_of
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, actions_difference, differences
 
@@ -227,6 +229,10 @@ def _schema() -> dict[str, Any]:
 
 def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     source = read_yaml(path, shortest="the shortest test file: tests: [stop]")
+    if (other := given_for("test file", source.data, source.file)) is not None:
+        raise ConfigError(
+            replace(other, hint="it has the name of a test file: let it end otherwise, as lamp.yaml does")
+        )
     if source.data is not None:
         source.problems.extend(schema_problems(source, _schema()))
     if source.problems:
@@ -239,6 +245,7 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     engine = IntentEngine.from_files(grammars, locations=maps or default_locations())
     common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
     _check_states(source, ("state",), data.get("state", ()), engine)
+    _check_language(source, engine)
     cases = tuple(_test_cases(source, engine, common))
     kinds = _kinds(engine)
     doubts = (
@@ -318,6 +325,13 @@ def _check_states(source: YamlSource, path: YamlPath, states: Any, engine: Inten
             source.problem((*path, index), f"no intent asks for a state {name!r}", hint)
 
 
+def _check_language(source: YamlSource, engine: IntentEngine) -> None:
+    language = source.data.get("language")
+    if language is not None and language_of(language) not in engine.languages:
+        hint = f"there is {', '.join(engine.languages)}"
+        source.problem(("language",), f"no grammar of this file is of language {language!r}", hint)
+
+
 _KEYS = frozenset(("status", "intent", "slots", "actions", "state"))
 """What a test may say besides its sentence."""
 _SAID = ("text", "txt", "sentence", "utterance", "phrase", "input", "query")
@@ -362,6 +376,8 @@ def _long_entry(source: YamlSource, path: YamlPath, entry: Mapping[str, Any], co
             actions.append(from_json(action))
         except ValueError as error:
             source.problem((*path, "actions", index), str(error), "see docs/json.md for actions")
+    if not entry["say"]:
+        source.problem((*path, "say"), "'say' is empty", "write a sentence, or several in a list")
     for text in _texts(entry["say"]):
         yield replace(
             common,

@@ -71,6 +71,7 @@ MISTAKES: dict[str, str | bytes] = {
     "a name of two words": says("wave {my slot}"),
     "a semicolon outside brackets": says("wave; hand"),
     "either and any order in the same brackets": says("(wave;nod|bow)"),
+    "a semicolon behind a bracket with alternatives": says("(wave|nod); now"),
     "seven parts in any order": says("(a;b;c;d;e;f;g)"),
     "forty-one brackets": says("(" * 41 + "wave" + ")" * 41),
     "the angles of another template language": says("wave at <name>"),
@@ -326,6 +327,12 @@ MISTAKES: dict[str, str | bytes] = {
     "a fraction by its name in Python": slot("float"),
     "a list of values by another name": slot("enum"),
     "a turn by another name": wave("sentences: [spin]").replace("{type: custom, name: wave}", "rotate"),
+    "a list of Home Assistant": slot("{values: [{in: '(sofa|couch)', out: lounge}, {in: bath, out: bath}]}"),
+    "values with what is said for them, as a list": slot("[lounge: sofa]"),
+    "a range of Home Assistant": slot("{type: number, from: 0, to: 10}"),
+    "free words of Home Assistant": slot("{wildcard: true}"),
+    "states that have values": wave("sentences: [wave]", "requires: {domain: light}"),
+    "a block of sentences of Home Assistant": wave("sentences:", "  - {sentences: [wave], response: hi}"),
     # -- numbers that are never meant
     "degrees without their unit": slot("{type: angle, max: 90}"),
     "a slot of the action, misspelt": wave("sentences: [wave]", before="slots:\n  person: text\n").replace(

@@ -51,6 +51,13 @@ def test_no_actions_are_nothing_that_is_done(tmp_path, status, say, differs):
     assert parts(tmp_path, f"- {{say: {say}, status: {status}, actions: []}}") == [differs]
 
 
+def test_a_grammar_with_the_name_of_a_test_file_is_told(tmp_path):
+    file = tmp_path / "my.intents.yaml"
+    file.write_text("intents: {shine: {action: custom, sentences: [shine]}}\n")
+    with pytest.raises(ConfigError, match=r"is a grammar, not a test file\n +it has the name of a test file"):
+        load_examples(file)
+
+
 def test_an_intent_that_is_not_there_is_told_wherever_it_stands(tmp_path):
     with pytest.raises(ConfigError, match=r"my\.intents\.yaml:3:1\d: there is no intent 'trun'"):
         parts(tmp_path, "- say: turn left\n  intent: trun")
@@ -67,6 +74,8 @@ def test_an_intent_that_is_not_there_is_told_wherever_it_stands(tmp_path):
         ("- {utterance: stop}", r":2:17: 'stop' is no meaning\n.*\n.*\n +write say: stop"),
         ("- {say: stop, intent: stpo}", r":2:25: there is no intent 'stpo'\n.*\n.*\n +did you mean 'stop'"),
         ("- stop\ngrammar: lampp.yaml", r":3:10: there is no file .*lampp.yaml\n.*\n.*\n +did you mean 'lamp.yaml'"),
+        ("- {say: [], intent: stop}", r":2:11: 'say' is empty"),
+        ("- stop\nlanguage: de", r":3:11: no grammar of this file is of language 'de'\n.*\n.*\n +there is en"),
         ("- stop\nlocations: [home, attic]", r":3:19: no file attic.yaml in locations/\n.*\n.*\n +there is home"),
     ],
 )

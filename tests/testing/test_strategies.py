@@ -31,6 +31,7 @@ intents:
     action: {type: custom, name: answer}
     requires: [asked]
     sentences: ["(yes|no thanks|not now)"]
+  agree: {action: custom, requires: [asked], regex: "(of course|sure thing)"}
   matched:
     action: {type: custom, name: matched}
     regex: "(?:or){9}der (?P<count>[0-9]+)"
@@ -117,6 +118,7 @@ def test_a_negated_sentence_is_expected_to_move_nothing(engine, data):
         ({"intent": "pant"}, "there is no intent 'pant'; did you mean 'paint'?"),
         ({"intent": "matched"}, "has patterns only"),
         ({"intent": "answer"}, "it needs: asked"),
+        ({"intent": "agree"}, "it needs: asked"),
         ({"intent": "halt", "noise": "negation"}, "neither negated nor corrected"),
     ],
 )

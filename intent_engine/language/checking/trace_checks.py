@@ -107,4 +107,30 @@ def _names_no_number(trace: Trace, words: Sequence[str], language: str) -> bool:
             number = quantities.evaluate(heard[begin:position], "number", language)
             if not (isinstance(number, float) and number >= 0 and number.is_integer()):
                 return True
+            if _is_part(heard, begin, language) or _is_part(heard, position, language):
+                return True
     return False
+
+
+def _is_part(words: Sequence[str], cut: int, language: str) -> bool:
+    """Whether words on both sides of a place are one number, or could be two that end elsewhere: "track twenty five
+    times" has no track of twenty that is to be played five times, and nobody knows whether it has a track 25."""
+    start = end = cut
+    while start > 0 and _of_a_number(words[start - 1], language):
+        start -= 1
+    while end < len(words) and _of_a_number(words[end], language):
+        end += 1
+    if cut in (start, end):
+        return False
+    if _is_number(words[start:end], language):
+        return True
+    ways = (_is_number(words[start:at], language) and _is_number(words[at:end], language) for at in range(start, end))
+    return sum(ways) > 1
+
+
+def _of_a_number(word: str, language: str) -> bool:
+    return is_number(word, language) or word in GOES_ON
+
+
+def _is_number(words: Sequence[str], language: str) -> bool:
+    return isinstance(quantities.evaluate(words, "number", language), float)

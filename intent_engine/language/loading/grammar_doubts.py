@@ -38,6 +38,8 @@ MAX_SPELLINGS = 256
 _OPTIONAL = re.compile(r"([^\W\d_]+)\?(?=\s+[\w({\[])")
 """A word with a "?" in the midst of a sentence."""
 _STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
+_TAG = re.compile(r"(?:(\([^()\[\]{}]*[^()\[\]{}\s]\))|(?<![^\W_])([^\W\d_]+))\{\s*([^\W\d]\w*)[^{}]*\}")
+_SIGNS = frozenset("()[]{}|;")
 _OTHER_TEMPLATES = (
     (
         re.compile(r"[^\W\d_]+(?:\[[^\[\]()]+\]|\([^\[\]()]+\))|(?:\[[^\[\]()]+\]|\([^\[\]()]+\))[^\W\d_]+"),
@@ -78,6 +80,8 @@ def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[P
     yield from _fixed_in_vain(grammar)
     yield from _strokes(grammar, draft)
     yield from _foreign_signs(draft)
+    yield from _tags(grammar, draft)
+    yield from _values_with_brackets(grammar, draft)
     yield from unsaid_patterns(grammar, places)
 
 
@@ -203,6 +207,31 @@ def _foreign_signs(draft: Draft) -> Iterator[Problem]:
                 yield written.problem(message, hint, bar)
 
 
+def _tags(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Words with a slot straight behind them, as Rhasspy says what their value is: "(red|green){colour}" is "red" and
+    then a colour."""
+    for written in draft.written:
+        for match in _TAG.finditer(written.text):
+            slot = grammar.slots.get(match[3])
+            values = {word for _, node in slot.values for word in words_in(node)} if slot is not None else set()
+            before = match[1] or match[2]
+            if slot is not None and not values.isdisjoint(words_of(before)):
+                message = f"{match.group()!r} is two things that are said: {before!r}, then {slot.name!r}"
+                hint = f"write {{{slot.name}}} alone, and what is said for its values in the slot; or a blank between"
+                yield written.problem(message, hint, match.start())
+
+
+def _values_with_brackets(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Values of a list that are templates, and so are called with all their brackets."""
+    for written in draft.written:
+        slot = grammar.slots.get(written.name) if written.kind == "slot" else None
+        if slot is None or not any(value == written.text for value, _ in slot.values) or not _SIGNS & {*written.text}:
+            continue
+        message = f"the value of slot {slot.name!r} is called {written.text!r}, as it is written"
+        name = " ".join(words_of(re.sub(r"\[[^\]]*\]|\|[^)\]]*", " ", written.text))) or "name"
+        yield written.problem(message, f'give it a name: values: {{{name}: "{written.text}"}}')
+
+
 def _bare_bar(text: str) -> int | None:
     """Where the first "|" of a template stands that is in no brackets; None: there is none."""
     depth = 0
@@ -216,6 +245,8 @@ def _bare_bar(text: str) -> int | None:
 def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
     used = {reference.name for written in draft.written for reference in references(written.node)}
     used |= slots_of_patterns(grammar)
+    sentences = (sentence for intent in grammar.intents.values() for sentence in intent.all_sentences)
+    used.update(label for sentence in sentences for label in sentence.fixed)
     for section, names in (("slots", grammar.slots), ("phrases", grammar.phrases)):
         for name in names:
             if name not in used:

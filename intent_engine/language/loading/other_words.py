@@ -1,5 +1,5 @@
-"""What other programs call the keys of a grammar, of an intent, the types and keys of slots, the actions and the
-fields of a place, and their names here."""
+"""What other programs call the keys of a grammar, of an intent, of a sentence, the types and keys of slots, the actions
+and the fields of a place, and their names here."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ __all__ = [
     "FIELDS_OF_A_PLACE",
     "KEYS_OF_AN_INTENT",
     "KEYS_OF_A_GRAMMAR",
+    "KEYS_OF_A_SENTENCE",
     "KEYS_OF_A_SLOT",
     "TYPES",
     "meant",
@@ -35,6 +36,7 @@ KEYS_OF_A_GRAMMAR: Mapping[str, str] = {
     **dict.fromkeys(("lists", "entities", "types"), "slots: {name: [one, another]}"),
     **dict.fromkeys(("expansion_rules", "macros", "rules", "aliases"), "phrases: {name: template}"),
     **dict.fromkeys(("skip_words", "stopwords", "ignore"), "fillers: [please, uh]"),
+    **dict.fromkeys(("responses", "speech"), "no part of a grammar: what the robot says is your program's"),
     **dict.fromkeys(("imports", "extends"), "include: [file.yaml]"),
     **dict.fromkeys(("lang", "locale"), "language"),
 }
@@ -46,12 +48,19 @@ KEYS_OF_AN_INTENT: Mapping[str, str] = {
     **dict.fromkeys(("excludes_context",), "excludes: [state]"),
     **dict.fromkeys(("tests",), "examples"),
 }
+KEYS_OF_A_SENTENCE: Mapping[str, str] = {
+    **dict.fromkeys(("sentences", "sentence", "text", "template", "utterance"), "say: template, one for each entry"),
+    **dict.fromkeys(("requires_context", "requires", "context"), "requires: [state] of the whole intent"),
+    **dict.fromkeys(("excludes_context", "excludes"), "excludes: [state] of the whole intent"),
+    **dict.fromkeys(("response",), "no part of a grammar: what the robot says is your program's"),
+}
 KEYS_OF_A_SLOT: Mapping[str, str] = {
     **dict.fromkeys(("options", "choices", "enum", "items", "synonyms"), "values"),
-    **dict.fromkeys(("lower", "ge"), "min"),
-    **dict.fromkeys(("upper", "le"), "max"),
+    **dict.fromkeys(("lower", "ge", "from"), "min"),
+    **dict.fromkeys(("upper", "le", "to"), "max"),
     **dict.fromkeys(("range", "limits", "bounds", "between"), "min and max"),
     **dict.fromkeys(("integer", "int"), "whole: true"),
+    **dict.fromkeys(("wildcard",), "type: text"),
     **dict.fromkeys(("step", "resolution", "increment"), "usual_step"),
     **dict.fromkeys(("default", "defaults"), "defaults: {name: value} of the intent"),
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -14,6 +13,7 @@ from intent_engine.language.loading.other_words import (
     ACTIONS,
     FIELDS_OF_A_PLACE,
     KEYS_OF_A_GRAMMAR,
+    KEYS_OF_A_SENTENCE,
     KEYS_OF_A_SLOT,
     KEYS_OF_AN_INTENT,
     TYPES,
@@ -21,8 +21,8 @@ from intent_engine.language.loading.other_words import (
 )
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.several_names import as_list
+from intent_engine.language.loading.value_hints import YAML_BOOLEANS, in_si, plainer, pose_otherwise, values_otherwise
 from intent_engine.language.loading.yaml_source import YamlSource
-from intent_engine.language.normalize import words_of
 from intent_engine.language_tag import code_of
 
 if TYPE_CHECKING:
@@ -46,7 +46,6 @@ _OF_AN_INTENT = {"action", "sentences", "examples", "defaults", "description", "
 """Keys of an intent that nobody calls an intent."""
 _SECTIONS = ("slots", "phrases", "intents")
 """Of a grammar, with names that somebody gave."""
-_YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 
 
 @lru_cache(maxsize=8)
@@ -199,6 +198,8 @@ def _other_keys(path: tuple[Any, ...], known: list[str]) -> Mapping[str, str]:
     """What other programs call the keys that may stand at a path."""
     if len(path) == 1 and "intents" in known:
         return KEYS_OF_A_GRAMMAR
+    if known[:1] == ["say"]:
+        return KEYS_OF_A_SENTENCE
     if len(path) == 3:
         return {"slots": KEYS_OF_A_SLOT, "intents": KEYS_OF_AN_INTENT}.get(str(path[0]), {})
     return {}
@@ -271,6 +272,8 @@ def _missing_hint(key: str, path: tuple[Any, ...], instance: dict[Any, Any]) -> 
         return "a place is {x: 5.0, y: 2.0, yaw: 0.0}, in m and rad"
     if path[-2:-1] == ("when",):
         return "- {slots: {name: value}, defaults: {name: value}}"
+    if key == "tests":
+        return 'tests: ["go left": {direction: left}, "go up": rejected]'
     if key == "say":
         return '- {say: "sentence", slots: {name: value}}'
     if key == "action":
@@ -294,15 +297,17 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     if len(path) == 4 and (path[0], path[2]) == ("slots", "units") and type(instance) in (int, float):
         return _at(source, path, f"the size of {name} stands behind it", f"write it before: {{{raw}: [{path[3]}]}}")
     if raw is not None and "string" in wanted:
-        if raw.lower() in _YAML_BOOLEANS:
+        if raw.lower() in YAML_BOOLEANS:
             message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
         sign = "-" if path and isinstance(path[-1], int) else ":"
         return _at(source, path, message, f'quote it: "{raw}"' if raw else f"something is missing after the {sign!r}")
     hint = "write lines of the form  key: value" if not path else None
     if path[:1] == ("intents",) and len(path) == 2 and path[1] in _OF_AN_INTENT:
         return _at(source, path, f"{name} stands where an intent's name stands", "indent it below the intent", key=True)
-    if path[:1] == ("locations",) and (pose := _pose(path, instance)) is not None:
+    if path[:1] == ("locations",) and (pose := pose_otherwise(path, instance)) is not None:
         hint = pose
+    elif (meaning := values_otherwise(path, instance)) is not None:
+        hint = meaning
     elif "array" in wanted and isinstance(instance, dict) and ("say" in instance or "string" not in wanted):
         hint = "write it as a list: begin it with '- ', or put [ ] around it"
     elif "string" in wanted and isinstance(instance, list) and _begins(source, path, "-"):
@@ -314,9 +319,9 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     elif "object" in wanted and isinstance(instance, list) and path:
         hint = "write each as a line  name: ...  without a '-' or brackets"
     elif "number" in wanted and "string" not in wanted and isinstance(instance, str):
-        hint = _in_si(instance, share=path[-1:] == ("min_confidence",))
+        hint = in_si(instance, share=path[-1:] == ("min_confidence",))
     else:
-        hint = hint or _plainer(path, wanted, instance)
+        hint = hint or plainer(path, wanted, instance)
     if raw == "":
         hint = "something is missing after the ':'"
     elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
@@ -327,64 +332,6 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         short = len(instance) < 30 and "\n" not in instance
         hint = f"write it as a list: [{instance}]" if short else "write each on a line that begins with -"
     return _at(source, path, message, hint)
-
-
-def _plainer(path: tuple[Any, ...], wanted: list[str], instance: Any) -> str | None:
-    """What to write for something of another type, where nothing better is known."""
-    if "boolean" in wanted and str(instance).lower() in _YAML_BOOLEANS:
-        return f"write it without quotes: {instance}"
-    if "string" in wanted and isinstance(instance, list):
-        return f"write one {'number' if 'number' in wanted else 'text'}, without a '-' or brackets"
-    if wanted == ["object"] and path[:1] == ("intents",) and len(path) == 2:
-        return f"write {{action: custom, sentences: [{instance}]}}"
-    if wanted == ["object"] and path[-1:] == ("units",):
-        return f"units are your own, with their sizes: {{30 cm: [step, steps]}}; one that is known is unit: {instance}"
-    if wanted == ["object"] and path[:1] == ("locations",) and path[-1:] in (("x",), ("y",), ("yaw",)):
-        return "indent it below the name of its place"
-    if wanted == ["number"] or wanted == ["integer"]:
-        return "write a number"
-    return None
-
-
-def _in_si(text: str, *, share: bool) -> str:
-    """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708. ``share``: it is a part of
-    one."""
-    from intent_engine.language.quantities import evaluate
-
-    if (number := re.fullmatch(r"[-+]?\d+(?:\.\d*)?[eE][-+]?\d{1,2}", text)) is not None:
-        return f"YAML reads this as a word: write {float(number[0]):.15g}"
-    words = words_of(text)
-    if share:
-        part = evaluate(words, "percent", "en")
-        return f"it is a part of one: {part:g}" if isinstance(part, float) else "it is a part of one: 0.7"
-    for kind in ("angular_speed", "angle", "speed", "distance", "duration"):
-        value = evaluate(words, kind, "en")
-        if isinstance(value, float):
-            return f"a plain number in SI units, without a unit: {value:.5g}"
-    return "a plain number, in SI units"
-
-
-def _pose(path: tuple[Any, ...], instance: Any) -> str | None:
-    """What to write for a pose, or a number of one, that is in another form: ``[5.0, 2.0, 0.0]``, ``90 deg``."""
-    if len(path) == 3 and isinstance(instance, str):
-        degrees = (
-            re.fullmatch(r"\s*([-+]?[0-9.]+)\s*(?:°|deg|degs|degrees?)\s*", instance) if path[2] == "yaw" else None
-        )
-        if degrees is not None:
-            return f"in rad, without a unit: {math.radians(float(degrees[1])):.4f}"
-        return "a plain number, in " + ("rad" if path[2] == "yaw" else "m")
-    numbers = (
-        instance
-        if isinstance(instance, list)
-        else re.findall(r"[^\s(),]+", instance)
-        if isinstance(instance, str)
-        else ()
-    )
-    if len(path) != 2 or len(numbers) not in (2, 3):
-        return None
-    return (
-        "write {" + ", ".join(f"{key}: {value}" for key, value in zip(("x", "y", "yaw"), numbers, strict=False)) + "}"
-    )
 
 
 def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:

@@ -43,6 +43,11 @@ def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterato
             if unsaid and sentence.text in intent.regex and unsaid_sign(sentence.text) is not None:
                 continue
             texts = _texts(sampler, sentence)
+            if not texts and (never := sampler.never_heard(sentence)) is not None:
+                unsaid += 1
+                message = f"nobody can say a pattern of {intent.name!r}: {never[0]!r} is heard as {never[1]!r}"
+                hint = "write a blank where it is heard, or one that may be there: ' ?'"
+                yield "warning", "pattern", problem_at(intent.place, message, hint)
             read.append({text: interpreter.interpret(text, intent.requires) for text in texts})
         found = [found for found in read if found]
         if len(found) < len(intent.regex) - unsaid + (intent.lark is not None):

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language.grammar import Grammar, Intent, Sentence, Slot
+from intent_engine.language.normalize import words_of
 from intent_engine.language.pattern.pattern_tree import (
     Letters,
     Named,
@@ -26,7 +27,7 @@ from intent_engine.language.pattern.pattern_tree import (
     leaves_open,
 )
 from intent_engine.language.pattern.patterns import Patterns, parts_of_patterns
-from intent_engine.language.sampling.drawing import Choices, Piece, one, pick
+from intent_engine.language.sampling.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.slots.free_text import FreeText
 from intent_engine.language.slots.slot_values import SlotValues
 
@@ -39,6 +40,8 @@ MORE_TIMES = 2
 """Times that a part is repeated besides, where its pattern does not say how often."""
 NUMBERS = 20
 """Largest number that is said where no slot has a limit."""
+TRIED = 20
+"""Sentences of a pattern that are looked at for one that is heard as it is written."""
 ANY_WORDS = ("blick", "dax", "wug", "zorp")
 """Where a pattern takes any words, and no slot."""
 
@@ -97,13 +100,24 @@ class PatternSampler:
 
     def fitting(self, sentence: Sentence, choices: Choices) -> list[Piece] | None:
         """The same, whatever its slots take."""
+        pieces = self._fitting(sentence, choices)
+        return pieces if pieces is not None and _as_heard(pieces) == _text(pieces) else None
+
+    def never_heard(self, sentence: Sentence) -> tuple[str, str] | None:
+        """What a pattern fits, and as what that is heard, which it does not fit; None: it is heard so, or that cannot
+        be told. "bay12" is heard as two words."""
+        drawn = [self._fitting(sentence, RandomChoices(seed)) for seed in range(TRIED)]
+        ways = [(_text(pieces), _as_heard(pieces)) for pieces in drawn if pieces is not None]
+        return ways[0] if ways and all(text != heard for text, heard in ways) else None
+
+    def _fitting(self, sentence: Sentence, choices: Choices) -> list[Piece] | None:
+        """The same, also where it would be heard in other words."""
         intent, _, part = self._parts[id(sentence)]
         pieces = _pieces(list(self._letters(part, choices, None)))
         if pieces is None:
             return None
         held = {piece.label: piece.text for piece in pieces if piece.label is not None}
-        found = self._patterns.held(intent.name, " ".join(piece.text for piece in pieces))
-        return pieces if held in found else None
+        return pieces if held in self._patterns.held(intent.name, _text(pieces)) else None
 
     def _letters(self, part: Part, choices: Choices, slot: Slot | None) -> Iterator[_Said]:
         """What a part is said as, within a slot or none."""
@@ -144,6 +158,16 @@ class PatternSampler:
             return _Said("", slot)
         held = self._values.from_words(slot, slot.name, text.split())
         return _Said(text, slot, held.value if held.status == "exact" and not held.problem else None)
+
+
+def _text(pieces: Sequence[Piece]) -> str:
+    return " ".join(piece.text for piece in pieces)
+
+
+def _as_heard(pieces: Sequence[Piece]) -> str:
+    """The same with the words of the pattern as they are heard: what a slot holds is said in many ways."""
+    words = (words_of(piece.text) if piece.slot is None else (piece.text,) for piece in pieces)
+    return " ".join(word for heard in words for word in heard)
 
 
 def _limits(slot: Slot | None) -> tuple[int, int]:

@@ -10,7 +10,7 @@ from intent_engine.language.pattern.pattern_lark import lark_tree
 from intent_engine.language.pattern.pattern_regex import regex_tree
 from intent_engine.language.pattern.pattern_tree import Letters, Named, OneOf, Part, Repeat, Row, Text, UnsayableError
 
-__all__ = ["unsaid_blank", "unsaid_in_lark", "unsaid_sign"]
+__all__ = ["unfit_end", "unsaid_blank", "unsaid_in_lark", "unsaid_sign"]
 
 _OF_NUMBERS = frozenset("./-,")
 """What stands in numbers and nowhere else: "2.5", "1/2", "-3"."""
@@ -18,6 +18,16 @@ _OF_WORDS = frozenset(" <>=≤≥±")
 """A space between words; and what stands beside a number of which nobody knows what it is: "< 5"."""
 _SUSPECT = re.compile(r"[^\w\s()\[\]|?*+^$]")
 """A sign that is more than a bracket of the pattern. A look that costs nothing."""
+
+
+_OTHER_END = re.compile(r"\\b(?:\((?:\?:|\?P?<\w+>)?)*([^\x00-\x7f])|([^\x00-\x7f])[)?]*\\b")
+"""A ``\\b`` beside a letter that English has not."""
+
+
+def unfit_end(text: str) -> str | None:
+    """A letter beside which a pattern asks for the end of a word, where RE2 sees none; None: there is none."""
+    found = _OTHER_END.search(text)
+    return (found[1] or found[2]) if found else None
 
 
 def unsaid_sign(text: str) -> str | None:
@@ -65,7 +75,7 @@ def _sign(part: Part, after: Part | None) -> str | None:
             signs = sorted(letters)
             return signs[0] if not any(_said(sign, after) for sign in signs) else None
         case Row(parts):
-            onward = (*parts[1:], after)
+            onward = (*parts[1:], after) if parts else ()
             return next((sign for one, other in zip(parts, onward, strict=True) if (sign := _sign(one, other))), None)
         case OneOf(parts):
             signs_of = [_sign(one, after) for one in parts]

@@ -19,6 +19,7 @@ from intent_engine.language.grammar import FREE_KINDS, Grammar, Intent, Sentence
 from intent_engine.language.loading.grammar_parts import Places
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words
+from intent_engine.language.pattern.every_letter import with_every_letter
 from intent_engine.language.pattern.pattern_tree import Part, UnsayableError
 from intent_engine.language.pattern.regex_set import RegexSet
 from intent_engine.language.templates.template_tree import Word
@@ -32,8 +33,8 @@ if TYPE_CHECKING:
 __all__ = ["Patterns", "pattern_problems", "said_by_patterns", "slots_of_patterns", "unsaid_patterns"]
 
 
-MAX_LARK_WORDS = 40
-"""Words that a Lark grammar is tried on: an ambiguous one costs the cube of the length."""
+MAX_LARK_WORDS, MAX_LARK_LETTERS = 40, 240
+"""Words that a Lark grammar is tried on, and letters: an ambiguous one costs the cube of the length."""
 PROBES = ("", "qwx", "qwx vbn", "qwx vbn zrt", "vbn zrt plk qwx djf")
 """What nobody says. A pattern that fits one of these fits everything, and a robot would act on any noise."""
 _BEGIN_NUMBERS = frozenset(("a", "an", "zero"))
@@ -61,7 +62,8 @@ def _regex(text: str) -> _Compiled:
     options = re2.Options()
     options.log_errors = False
     try:
-        compiled = re2.compile(text, options)
+        re2.compile(text, options)  # told of as it was written
+        compiled = re2.compile(with_every_letter(text), options)
     except re2.error as error:
         detail = error.args[0].decode() if isinstance(error.args[0], bytes) else error.args[0]
         hint = "patterns are RE2: named groups (?P<slot>...), no look-around and no back-references"
@@ -81,11 +83,12 @@ def _regex(text: str) -> _Compiled:
 
 @lru_cache(maxsize=64)
 def _lark(text: str) -> _Compiled:
-    from lark import Lark
     from lark.exceptions import LarkError
 
+    from intent_engine.language.pattern.linear_lark import LinearLark
+
     try:
-        parser = Lark(text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True)
+        parser = LinearLark(text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True)
     except (LarkError, OSError, ValueError, RecursionError) as error:
         detail = str(error).strip().splitlines()[0].removesuffix(": ")
         found = re.search(r"line (\d+)", detail) or re.search(r"line (\d+)", str(error))
@@ -187,7 +190,7 @@ def slots_of_patterns(grammar: Grammar) -> set[str]:
 def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
     """Patterns of a grammar that was checked that nobody can say, because of what no text has any more that was said:
     signs, capitals, a blank beside another."""
-    from intent_engine.language.pattern.pattern_signs import unsaid_blank, unsaid_in_lark, unsaid_sign
+    from intent_engine.language.pattern.pattern_signs import unfit_end, unsaid_blank, unsaid_in_lark, unsaid_sign
 
     for intent in grammar.intents.values():
         at_lark = ("intents", intent.name, "lark")
@@ -203,6 +206,9 @@ def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
                     "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
                 )
                 yield places.problem(_at(intent, index, places), message, hint)
+            elif (letter := unfit_end(text)) is not None:
+                message = f"\\b beside {letter!r} fits nothing: RE2 knows the ends of English words alone"
+                yield places.problem(_at(intent, index, places), message, "leave it out: all of the words are compared")
             elif unsaid_blank(text):
                 message = "the regex asks for a blank beside another, or at an end, and what is said has none there"
                 hint = "write |- or quotes: what stands behind | ends with the end of its line"
@@ -232,6 +238,12 @@ def parts_of_patterns(grammar: Grammar) -> Iterator[tuple[Intent, Sentence, Part
 def _sentence(pattern: str, intent: Intent) -> Sentence:
     """Stands for a pattern where others have a template."""
     return Sentence(pattern, Word(intent.name))
+
+
+def _holds(text: str, span: _Span) -> bool:
+    """Whether a slot holds a word: a group that fits nothing, or a blank alone, was not said."""
+    begin, end = span
+    return begin >= 0 and bool(text[begin:end].strip())
 
 
 class Patterns:
@@ -328,12 +340,13 @@ class Patterns:
             match = pattern.fullmatch(text)
             if match is not None:
                 spans = {name: match.span(number) for name, number in pattern.groupindex.items()}
-                yield intent, sentence, {name: span for name, span in spans.items() if span[0] >= 0}
+                yield intent, sentence, {name: span for name, span in spans.items() if _holds(text, span)}
 
     def _by_lark(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, _Span]]]:
         from lark.exceptions import LarkError
 
-        for intent, sentence, parser in self._larks if text.count(" ") < MAX_LARK_WORDS else ():
+        short = text.count(" ") < MAX_LARK_WORDS and len(text) <= MAX_LARK_LETTERS
+        for intent, sentence, parser in self._larks if short else ():
             try:
                 tree = parser.parse(text)
             except LarkError:
@@ -342,7 +355,9 @@ class Patterns:
             for node in tree.iter_subtrees():
                 name = str(node.data)
                 if name in self._grammar.slots and not node.meta.empty:
-                    values[name] = node.meta.start_pos, node.meta.end_pos
+                    span = node.meta.start_pos, node.meta.end_pos
+                    if _holds(text, span):
+                        values[name] = span
             yield intent, sentence, values
 
     def _reading(

@@ -67,3 +67,25 @@ def test_but_it_is_where_as_a_number_it_leads_nowhere(engine_of, heard) -> None:
 def test_the_number_of_a_name_is_one_whole_number(engine_of, said, readings) -> None:
     matcher = engine_of("intents: {open: {action: custom, sentences: ['open drawer {#}']}}").matcher()
     assert len(matcher.read(["open", "drawer", *said.split()])) == readings
+
+
+@pytest.mark.parametrize(
+    ("heard", "values"),
+    [
+        ("track three five times", {"times": 5}),
+        ("track 3 5 times", {"times": 5}),
+        ("track twenty five times", None),
+        ("track 2.5 seconds", None),
+        ("track two point five seconds", None),
+        ("track two hundred five times", None),
+        ("track twenty five six times", {"times": 6}),
+        ("track three a minute and a half", {"span": 90}),
+    ],
+)
+def test_a_number_of_a_name_takes_nothing_from_the_one_behind_it(engine_of, heard, values) -> None:
+    player = engine_of(
+        "slots: {times: {type: number, max: 99}, span: duration}\n"
+        "intents: {play: {action: custom, sentences: ['track {#} {times} times', 'track {#} {span}']}}"
+    )
+    found = player.parse(heard)
+    assert (dict(found.slots) if found.actions else None) == values

@@ -31,6 +31,14 @@ def warnings(text: str) -> list[tuple[int | None, str]]:
 
 
 FINE = {
+    "a list for values that are not said": (
+        "slots: {domain: [light, fan]}\n"
+        "intents:\n  x: {action: custom, sentences: [{say: lights on, slots: {domain: light}}]}\n"
+    ),
+    "a slot straight behind a bracket": (
+        "slots: {room: [hall, lab]}\n"
+        "intents:\n  x: {action: custom, sentences: ['go (to|into){room} [the ]{room:by}']}\n"
+    ),
     "the same slot in two alternatives": (
         "slots: {place: text}\nintents:\n  x: {action: custom, sentences: ['go (to {place}|into {place})']}\n"
     ),
@@ -166,6 +174,15 @@ DOUBTFUL = {
     ),
     "intents:\n  x: {action: custom, sentences: ['brew (coffee:espresso|tea)']}\n": (
         2, "'coffee:espresso' puts nothing in the place of a word: both are said",
+    ),
+    "slots: {a: [red, blue]}\nintents:\n  x: {action: custom, sentences: ['go (red|blue){a}']}\n": (
+        3, "'(red|blue){a}' is two things that are said: '(red|blue)', then 'a'",
+    ),
+    "slots: {a: [red, blue]}\nintents:\n  x: {action: custom, sentences: ['go red{a:way}']}\n": (
+        3, "'red{a:way}' is two things that are said: 'red', then 'a'",
+    ),
+    "slots:\n  a: ['(red|ruby)', blue]\nintents:\n  x: {action: custom, sentences: ['go {a}']}\n": (
+        2, "the value of slot 'a' is called '(red|ruby)', as it is written",
     ),
 }  # fmt: skip
 

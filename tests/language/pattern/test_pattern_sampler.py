@@ -109,6 +109,13 @@ def test_a_pattern_of_which_nobody_knows_how_it_is_said(tmp_path):
     assert (finding.level, finding.topic) == ("note", "pattern")
 
 
+def test_of_what_is_heard_in_other_words_no_sentence_is_drawn(tmp_path):
+    engine = engine_of("intents: {x: {action: custom, regex: 'go [0-9](m| meters)'}}", tmp_path)
+    drawn = {one.text for one in sample(engine.grammar, None, 20)}
+    assert drawn
+    assert all(text.endswith(" meters") for text in drawn)
+
+
 HEAD = "slots: {code: text, far: distance}\nintents:\n"
 
 
@@ -137,6 +144,9 @@ HEAD = "slots: {code: text, far: distance}\nintents:\n"
         ("a: {action: custom, regex: '(now )?.*open (?P<far>.+)'}", ["warning"], "any words before it"),
         ("a: {action: custom, regex: 'open it.*'}", ["warning"], "any words behind it"),
         ("a: {action: custom, regex: 'drive to (?P<code>.+)'}", [], ""),
+        ("a: {action: custom, regex: 'open bay[0-9]'}", ["warning"], "is heard as 'open bay [0-9]"),
+        ("a: {action: custom, regex: 'open bay ?[0-9]'}", [], ""),
+        ("a: {action: custom, regex: '\\böffne das'}", ["warning", "note"], "ends of English words|cannot be told"),
         ("a: {action: custom, regex: 'open  it'}", ["warning", "note"], "blank beside another|cannot be told"),
         ("a: {action: custom, lark: 'start: \"Open it\"'}", ["warning", "note"], "asks for 'Open it'|cannot be told"),
     ],

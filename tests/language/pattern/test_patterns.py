@@ -181,6 +181,7 @@ def test_a_long_utterance_is_not_given_to_an_ambiguous_grammar(
     monkeypatch.setattr(reader, "_larks", [(intent, sentence, Counting())])
     for length in (1, patterns.MAX_LARK_WORDS, patterns.MAX_LARK_WORDS + 1, 79):
         reader.read([token.word for token in tokenize("cup " * length)], engine.matcher())
+    reader.read(["c" * (patterns.MAX_LARK_LETTERS + 1)], engine.matcher())
     assert seen == [1, patterns.MAX_LARK_WORDS]
 
 
@@ -188,6 +189,59 @@ def test_a_regular_expression_is_linear(engine: IntentEngine, engine_of) -> None
     """The classic that takes Python's own engine ages: RE2 answers at once."""
     hard = engine_of('language: en\nintents:\n  a: {action: {type: custom, name: a}, regex: "go (?:a+ ?)+b"}\n')
     assert not hard.parse("go " + "a" * 1500).actions
+
+
+def test_a_terminal_of_a_lark_grammar_is_linear(engine_of) -> None:
+    hard = engine_of(
+        "language: en\nintents:\n  a: {action: {type: custom, name: a}, lark: 'start: \"go \" /(a+)+b/'}\n"
+    )
+    assert not hard.parse("go " + "a" * 60).actions
+    assert hard.parse("go " + "a" * 60 + "b").actions
+
+
+def test_a_terminal_that_looks_behind_is_read(engine_of) -> None:
+    behind = engine_of(
+        "language: en\nintents:\n  a: {action: {type: custom, name: a}, lark: 'start: \"go\" /(?<=go) now/'}\n"
+    )
+    assert behind.parse("go now").actions
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        r"regex: 'say(?P<it>.*)'",
+        r"regex: 'say(?P<it>(?: \w+)*)'",
+        'lark: |\n      start: "say" it?\n      it: (" " | /\\w+/)*\n',
+        'lark: |\n      start: "say" it " now" | "say" it\n      it: (" " | /\\w+/)*\n',
+    ],
+)
+def test_a_slot_that_fits_nothing_was_not_said(engine_of, pattern: str) -> None:
+    said = engine_of(
+        f"language: en\nslots: {{it: text}}\nintents:\n  a:\n    action: {{type: custom, name: a}}\n    {pattern}\n"
+    )
+    assert said.parse("say").slots == {}
+    assert said.parse("say").actions
+    assert said.parse("say cheese").slots == {"it": "cheese"}
+
+
+@pytest.mark.parametrize(
+    ("regex", "fits"),
+    [
+        (r"geh zur (?P<ort>\w+)", True),
+        (r"geh zur (?P<ort>[\w-]+)", True),
+        (r"geh zur (?P<ort>[^\W]+)", False),  # of a class that is in another RE2 knows the English letters alone
+        (r"geh zur\W(?P<ort>[[:alpha:]\w]+)", True),
+        (r"geh zur \Q\w\E(?P<ort>.+)", False),
+        (r"geh zu\w (?P<ort>k\w{4})", True),
+        (r"geh\Wzur k(?P<ort>\W)che", False),
+    ],
+)
+def test_letters_are_those_of_every_language(engine_of, regex: str, fits: bool) -> None:
+    deutsch = engine_of(
+        "language: de\nslots: {ort: [küche]}\nintents:\n  a:\n    action: {type: custom, name: a}\n"
+        f"    regex: '{regex}'\n"
+    )
+    assert bool(deutsch.parse("Geh zur Küche!").actions) == fits
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,8 @@
 """Where one name ends and the next begins: in "put the cup on the table in the kitchen" the cup may be on the table, or
 the table in the kitchen.
 
-An automaton has one way to part the free words of a sentence. The others are looked for here, and asked about where
-they would be another action.
+An automaton has one way to part the names of a sentence. The others are looked for here, and asked about where they
+would be another action.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slots.action_builder import names_taken
+from intent_engine.language.slots.names_apart import named_otherwise
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
@@ -50,8 +51,11 @@ class WhosePlace:
 
         "It" is a whole name, so that "put it on the table in the kitchen" is clear. Where the action takes only the
         first name, what follows says where that one is, however it is parted: "pick up the cup on the table in the
-        kitchen" takes a cup. All else is for the person to say.
+        kitchen" takes a cup. All else is for the person to say; so are names of lists, of which one ends as another
+        begins.
         """
+        if len(reading.slots) > 1 and (otherwise := self._of_lists(reading)) is not None:
+            return reading, (reading, otherwise), "it could mean two things"
         if reading.free_words < 2:  # no name goes on
             return reading, (), ""
         slots = sorted(reading.slots, key=lambda slot: slot.start)
@@ -75,6 +79,14 @@ class WhosePlace:
                 reason = f"whether {between!r} belongs to {first.one.value!r} or to {behind!r} is not clear"
                 return reading, tuple(self._parted(reading, way) for way in ways), reason
         return reading, (), ""
+
+    def _of_lists(self, reading: Reading) -> Reading | None:
+        """The same words with other names of lists in them."""
+        words, read = list(reading.words), self._matcher.values.from_words
+        slots = named_otherwise(
+            reading.slots, words, lambda one, begin, end: read(one.slot, one.label, words[begin:end], begin)
+        )
+        return replace(reading, slots=slots) if slots is not None else None
 
     def _may_go_on(self, reading: Reading, name: SlotReading) -> bool:
         """A quick look: whether a word within a name may stand between two."""

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from meanings import does, done, german, shipped
 
 from intent_engine import Status
+from intent_engine.language.sampler import sample
 
 THINGS = st.sampled_from(["the cup", "a red box", "my book", "the bag of rice"])
 WHERE = st.sampled_from(["on", "in", "under", "next to", "inside of"])
@@ -87,3 +88,30 @@ def test_in_other_grammars(engine_of):
     for text in ("load the crate on the cart in the yard", "count boxes on carts on rails twice"):
         assert engine.parse(text).status is Status.AMBIGUOUS, text
     assert engine.parse("load the crate on the cart").slots == {"thing": "crate", "spot": "cart"}
+
+
+LIGHTS = """
+slots:
+  room: [living, living room, hall]
+  lamp: [light, room light, spot]
+intents:
+  dim: {action: custom, sentences: ["dim [the] {room} {lamp}", "swap [the] {room} and [the] {room:by}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "ways"),
+    [
+        ("dim the living room light", ("dim (room: living, lamp: room light)", "dim (room: living room, lamp: light)")),
+        ("dim the living room room light", ()),
+        ("dim the living light", ()),
+        ("dim the living room spot", ()),
+        ("swap the living room and the living", ()),
+    ],
+)
+def test_names_of_lists_of_which_one_ends_as_the_other_begins_are_asked_about(engine_of, said, ways):
+    engine = engine_of(LIGHTS)
+    found = engine.parse(said)
+    assert set(found.alternatives) == set(ways)
+    assert bool(found.actions) != bool(ways)
+    assert all(one.text != "dim the living room light" for one in sample(engine.grammar, None, 60))
