@@ -55,7 +55,7 @@ class LedAmounts:
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording
         word, after, *_ = (*words[at : at + 2], "")
-        if word in wording.sized:  # "two meters deep"
+        if word in wording.sized and word not in self._own:  # "two meters deep", but "zwei Meter hoch" may be a way
             yield Rewording(core.with_other(at, at + 1, _NOTHING), _Ends(words[at - 1]))
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
