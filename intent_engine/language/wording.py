@@ -140,6 +140,8 @@ class Wording:
     the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    for_whom_before: frozenset[str] = frozenset()
+    """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
     once_more: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()

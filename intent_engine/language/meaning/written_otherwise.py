@@ -19,6 +19,7 @@ from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
@@ -90,6 +91,7 @@ class WrittenOtherwise:
         self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
+        self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
         self._ways_on = WaysOn(self._matcher.grammar)
@@ -150,9 +152,12 @@ class WrittenOtherwise:
             yield self._formal.told(core)
         yield self._told_as.told(core)
         yield self._joined.apart(core)
-        asks = self._asking.told(core)
-        if asks is not None and (self._kindly.find(self._said(text).words) or self._joined.for_whom(core)):
-            yield asks
+        kindly = self._kindly.find(self._said(text).words) is not None
+        asked = self._for_whom.asked(core)
+        if asked is not None and (kindly or self._joined.for_whom(core)):
+            yield self._asking.told(asked) or asked
+        elif kindly:
+            yield self._asking.told(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -178,15 +183,18 @@ class WrittenOtherwise:
         of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
         said = self._said(text)
-        if not grammar.wording.parted and (wish := self._wishing.at(core.words, 0)):
-            other = self._infinitives.told(core.part(wish, len(core)))
-            return self._understood_as(text, core, other, state)
+        if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
+            if "?" in text:
+                return None
+            wished = self._for_whom.behind_what_asks(core.part(wish, len(core)))
+            return self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
         requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
         if not grammar.wording.parted:
-            return self._understood_as(text, core, self._infinitives.told(core), state)
+            asked = self._for_whom.behind_what_asks(core)
+            return self._understood_as(text, core, self._infinitives.told(asked), state)
         for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
             told = self._told(text, said, core.part(begin, len(core)), state)
             if told is not None:
@@ -204,7 +212,8 @@ class WrittenOtherwise:
         if len(asked) < LEAST_WORDS:
             return None
         ways = [asked]
-        if any(tuple(said.words[: len(wish)]) == wish for wish in grammar.wording.wishing):
+        wish = said.words[: self._wishing.at(said.words, 0)]
+        if wish and wish[-1] not in grammar.wording.asked:  # the verb of "dass Sie" is an infinitive
             *before, last = asked.words
             ways = [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, grammar)]
         found: dict[tuple[Action | None, ...], Clause] = {}
@@ -212,7 +221,11 @@ class WrittenOtherwise:
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
             if clause is not None and clause.accepted and not _names(clause.reading, grammar.wording.before_verbs):
                 found.setdefault((clause.action,), clause)
-        return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
+        if found:
+            return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
+        ordered = (one for way in ways for one in verb_first(way, grammar) if one.words[0] in self._commands.verbs)
+        placed = {one[0].actions: one for one in (self._placed_later(text, order, state) for order in ordered) if one}
+        return next(iter(placed.values())) if len(placed) == 1 else None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
