@@ -142,6 +142,14 @@ class Wording:
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
     for_whom_before: frozenset[str] = frozenset()
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
+    softens: tuple[tuple[str, ...], ...] = ()
+    """Words behind a verb that soften the order and say nothing of it: "avvia *pure* il programma"."""
+    vaguely: tuple[tuple[str, ...], ...] = ()
+    """Words there that say nothing beside an amount: "tourne *un peu* de dix degrés"."""
+    urges: tuple[tuple[str, ...], ...] = ()
+    """Words at the end of an order that only urge: "abre la puerta, *anda*"."""
+    namely: tuple[tuple[str, ...], ...] = ()
+    """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
     once_more: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()

@@ -27,6 +27,7 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
+from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
@@ -101,6 +102,7 @@ class WrittenOtherwise:
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
+        self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._other_words = other_words
@@ -123,6 +125,7 @@ class WrittenOtherwise:
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
+        written = written or self._without_softening(text, core, state)
         if written is None:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
@@ -266,6 +269,12 @@ class WrittenOtherwise:
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
         return next(iter(found.values())) if len(found) == 1 else None
+
+    def _without_softening(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Ouvre voir la porte" of a grammar that has "ouvre la porte"."""
+        rule, verbs = self._said_lightly, self._commands.verbs | self._formal.forms_in(core)
+        found = self._understood_as(text, core, rule.without(core, verbs), state)
+        return found if found is not None and rule.means(core, verbs, _readings(found)) else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""

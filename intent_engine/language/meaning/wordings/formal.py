@@ -60,6 +60,10 @@ class Formal:
             place = next_begins(said, place, self._phrases)
         return said if said.words != core.words else None
 
+    def forms_in(self, core: Utterance) -> set[str]:
+        """The words of an utterance that are such forms by themselves."""
+        return {word for word in core.words if self.is_one(word)} if self._forms else set()
+
     def is_one(self, word: str) -> bool:
         """Whether a word by itself is such a form."""
         return self._told(Utterance.in_one_breath([word]), 0, self._commands.first_words) is not None
