@@ -150,6 +150,10 @@ class Wording:
     """Words at the end of an order that only urge: "abre la puerta, *anda*"."""
     namely: tuple[tuple[str, ...], ...] = ()
     """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
+    taken_up: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Articles, each with the pronouns for what it stands before: "*la* palette, descends-*la*"."""
+    joined_first: frozenset[str] = frozenset()
+    """Forms of ``joined`` that such a pronoun follows: "porta*me*la"."""
     once_more: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()

@@ -28,6 +28,7 @@ from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
+from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
@@ -103,6 +104,7 @@ class WrittenOtherwise:
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
+        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._other_words = other_words
@@ -125,7 +127,7 @@ class WrittenOtherwise:
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
-        written = written or self._without_softening(text, core, state)
+        written = written or self._without_softening(text, core, state) or self._taken_up_first(text, core, state)
         if written is None:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
@@ -275,6 +277,12 @@ class WrittenOtherwise:
         rule, verbs = self._said_lightly, self._commands.verbs | self._formal.forms_in(core)
         found = self._understood_as(text, core, rule.without(core, verbs), state)
         return found if found is not None and rule.means(core, verbs, _readings(found)) else None
+
+    def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "La palette, descends-la" of a grammar that has "descends la palette"."""
+        ways = self._taken_up.ways(core, self._commands.verbs)
+        found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
@@ -13,12 +12,12 @@ from intent_engine.language.quantities import evaluate
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.verb_forms import without_stress
 
 __all__ = ["Joined", "begins_thing"]
 
 _AMOUNTS = ("distance", "angle", "duration", "speed")
 _MOST_OF_AN_AMOUNT = 4
-_ACUTE = "\N{COMBINING ACUTE ACCENT}"
 
 
 class Joined:
@@ -62,8 +61,7 @@ class Joined:
         """The verb to which something is joined, as the grammar has it or a stranger is told it; None: none is."""
         for joined in self._joined:
             bare = word.removesuffix(joined)
-            plain = unicodedata.normalize("NFC", unicodedata.normalize("NFD", bare).replace(_ACUTE, ""))
-            for verb in (bare, plain) if bare != word else ():
+            for verb in (bare, without_stress(bare)) if bare != word else ():
                 if verb in self._commands.first_words or self._formal.is_one(verb):
                     return verb
         return None

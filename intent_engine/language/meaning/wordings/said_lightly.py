@@ -1,5 +1,5 @@
-"""Words that soften an order and say nothing of it: "ouvre *voir* la porte", "avvia *pure* il programma", "abre la puerta,
-*anda*"; and those that say vaguely how much or how long, beside an amount: "tourne *un peu* de quinze degrés"."""
+"""Words that soften an order and say nothing of it: "ouvre *voir* la porte", "avvia *pure* il programma", "abre la
+puerta, *anda*"; and those that say vaguely how much or how long, beside an amount: "tourne *un peu* de dix degrés"."""
 
 from __future__ import annotations
 
