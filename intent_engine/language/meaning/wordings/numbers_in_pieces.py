@@ -24,8 +24,8 @@ class NumbersInPieces:
 
     @step(Kind.NUMBERS)
     def restarted(self, core: Utterance, said: Utterance) -> bool:
-        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know. But in "Tisch sieben
-        bitte zweieinhalb Meter" nobody thinks what to say, and the two are no number together.
+        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know. But of "Tisch
+        sieben bitte zwei Meter" it is known: nobody thinks what to say there, and the two are no number together.
 
         Args:
             core: what was said without its fillers.

@@ -67,5 +67,5 @@ class SaidLightly:
         namely = next((at for at in range(2, len(core) - 1) if core.breaks[at] and self._namely.at(words, at)), None)
         if namely is not None and not any(core.breaks[namely + 1 :]):
             yield namely, self._namely.at(words, namely)
-        elif (last := self._urges.ends(words)) and len(core) - last > 1:
+        elif (last := self._urges.ends(words)) and len(core) - last > 1 and words[-last] not in verbs:
             yield len(core) - last, last
