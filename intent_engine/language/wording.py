@@ -140,6 +140,20 @@ class Wording:
     the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    for_whom_before: frozenset[str] = frozenset()
+    """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
+    softens: tuple[tuple[str, ...], ...] = ()
+    """Words behind a verb that soften the order and say nothing of it: "avvia *pure* il programma"."""
+    vaguely: tuple[tuple[str, ...], ...] = ()
+    """Words there that say nothing beside an amount: "tourne *un peu* de dix degrés"."""
+    urges: tuple[tuple[str, ...], ...] = ()
+    """Words at the end of an order that only urge: "abre la puerta, *anda*"."""
+    namely: tuple[tuple[str, ...], ...] = ()
+    """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
+    taken_up: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Articles, each with the pronouns for what it stands before: "*la* palette, descends-*la*"."""
+    joined_first: frozenset[str] = frozenset()
+    """Forms of ``joined`` that such a pronoun follows: "porta*me*la"."""
     once_more: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()

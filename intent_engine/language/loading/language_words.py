@@ -24,6 +24,7 @@ __all__ = [
     "default_heard",
     "default_operators",
     "default_opposites",
+    "default_parted",
     "default_wording",
 ]
 
@@ -35,7 +36,7 @@ _LISTS = {
 }  # fmt: skip
 """The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
 _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
-_BY_WORD = ("particles", "idle_particles", "sizes", "levels")
+_BY_WORD = ("particles", "idle_particles", "sizes", "levels", "taken_up")
 """Those of it in which each word has others, in any order."""
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -111,6 +112,11 @@ def default_heard(language: str) -> Heard:
     """Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those
     that sound the same are ``homophones``. Names have their own index; these are for the rest."""
     return Heard(_pairs(language, "heard_for"), frozenset(_words(language).get("maybe_number", ())))
+
+
+def default_parted(language: str) -> frozenset[str]:
+    """What is parted from a verb and stands at the end of a command: "schalte Pumpe zwei *ein*"."""
+    return frozenset(_words(language).get("parted", ()))
 
 
 def default_booleans(language: str) -> Mapping[bool, tuple[str, ...]] | None:

@@ -220,7 +220,7 @@ class Interpreter:
             return self._agreed(text, core)
         if (listed := self._fillers.listed(text, said, state)) is not None:
             return listed
-        if phrases.fillers.may_stand_in(said.words) and not self._numbers.restarted(core):
+        if phrases.fillers.may_stand_in(said.words) and not self._numbers.restarted(core, said):
             again = self._fillers.besides(said, core, state)
             if again is not None and (again.accepted or clause is None or again.no_name):
                 clause = again  # "take your time please" takes no "time please"
@@ -232,7 +232,7 @@ class Interpreter:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
             return as_told(text, clause)
-        if self._numbers.restarted(core):
+        if self._numbers.restarted(core, said):
             if self._stops.beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")

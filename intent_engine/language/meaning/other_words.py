@@ -25,6 +25,7 @@ from intent_engine.language.meaning.wordings.wished_things import WishedThings
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
+from intent_engine.language.words.opposites import opposed
 
 __all__ = ["OtherWords"]
 
@@ -98,13 +99,13 @@ class OtherWords:
         ways = [*ways]
         for way in ways:
             clause = self._commands.exact(way.said.words, state, breaks=way.said.breaks)
-            if clause is not None and clause.action is not None and _is_meant(way, clause, part):
+            if clause is not None and clause.action is not None and self._is_meant(way, clause, part):
                 found.setdefault(clause.action, way.said)
         if not found:
             for way in ways[:_MOST_PARTED]:  # "turn that lamp on" of a grammar that has "turn on the lamp"
                 placed = self._particles.placed(way.said, state)
                 clause = self._commands.exact(placed.words, state, breaks=placed.breaks) if placed is not None else None
-                if clause is not None and _is_meant(way, clause, part):
+                if clause is not None and self._is_meant(way, clause, part):
                     return placed
         return next(iter(found.values())) if len(found) == 1 else None
 
@@ -119,6 +120,18 @@ class OtherWords:
             placed += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(placed))]
         return [*ways, *placed]
 
+    def _is_meant(self, way: Rewording, clause: Clause, said: Utterance) -> bool:
+        """Whether a command that was found in other words is what was said."""
+        reading = clause.reading
+        if reading is None or not clause.accepted or not way.is_meant(reading):
+            return False
+        return _keeps_free_words(said, reading) and not self._leaves_out_an_opposite(said, reading)
+
+    def _leaves_out_an_opposite(self, said: Utterance, reading: Reading) -> bool:
+        """Whether one of two opposite words was left out: "lift the tray up down" says neither."""
+        left_out = {*said.words} - {*reading.words}
+        return any(not left_out.isdisjoint(opposed(word, self._language)) for word in reading.words)
+
     def _begins(self, words: list[str]) -> bool:
         return self._commands.matcher.prefix(words)[1] is not None
 
@@ -126,14 +139,6 @@ class OtherWords:
         rule = self._placed_first
         for way, start, end in rule.ways(part, self._commands.verbs):
             yield Rewording(way, partial(rule.means, start=start, end=end))
-
-
-def _is_meant(way: Rewording, clause: Clause, said: Utterance) -> bool:
-    """Whether a command that was found in other words is what was said."""
-    reading = clause.reading
-    if reading is None or not clause.accepted:
-        return False
-    return way.is_meant(reading) and _keeps_free_words(said, reading)
 
 
 def _keeps_free_words(said: Utterance, reading: Reading) -> bool:

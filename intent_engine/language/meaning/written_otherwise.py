@@ -19,6 +19,7 @@ from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
@@ -26,11 +27,14 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
+from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
+from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
 from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
+from intent_engine.language.slots.half_behind import half_before, is_half_of_it
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
@@ -58,6 +62,7 @@ _NUMBERS = (
     (every_one, is_every_one),
     (without_number, is_called_so),
     (without_of, is_counted_with_of),
+    (half_before, is_half_of_it),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
@@ -90,6 +95,7 @@ class WrittenOtherwise:
         self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
+        self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
         self._ways_on = WaysOn(self._matcher.grammar)
@@ -99,6 +105,8 @@ class WrittenOtherwise:
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
+        self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
+        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._other_words = other_words
@@ -121,6 +129,7 @@ class WrittenOtherwise:
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
+        written = written or self._without_softening(text, core, state) or self._taken_up_first(text, core, state)
         if written is None:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
@@ -150,9 +159,12 @@ class WrittenOtherwise:
             yield self._formal.told(core)
         yield self._told_as.told(core)
         yield self._joined.apart(core)
-        asks = self._asking.told(core)
-        if asks is not None and (self._kindly.find(self._said(text).words) or self._joined.for_whom(core)):
-            yield asks
+        kindly = self._kindly.find(self._said(text).words) is not None
+        asked = self._for_whom.asked(core)
+        if asked is not None and (kindly or self._joined.for_whom(core)):
+            yield self._asking.told(asked) or asked
+        elif kindly:
+            yield self._asking.told(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -178,15 +190,18 @@ class WrittenOtherwise:
         of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
         said = self._said(text)
-        if not grammar.wording.parted and (wish := self._wishing.at(core.words, 0)):
-            other = self._infinitives.told(core.part(wish, len(core)))
-            return self._understood_as(text, core, other, state)
+        if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
+            if "?" in text:
+                return None
+            wished = self._for_whom.behind_what_asks(core.part(wish, len(core)))
+            return self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
         requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
         if not grammar.wording.parted:
-            return self._understood_as(text, core, self._infinitives.told(core), state)
+            asked = self._for_whom.behind_what_asks(core)
+            return self._understood_as(text, core, self._infinitives.told(asked), state)
         for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
             told = self._told(text, said, core.part(begin, len(core)), state)
             if told is not None:
@@ -204,7 +219,8 @@ class WrittenOtherwise:
         if len(asked) < LEAST_WORDS:
             return None
         ways = [asked]
-        if any(tuple(said.words[: len(wish)]) == wish for wish in grammar.wording.wishing):
+        wish = said.words[: self._wishing.at(said.words, 0)]
+        if wish and wish[-1] not in grammar.wording.asked:  # the verb of "dass Sie" is an infinitive
             *before, last = asked.words
             ways = [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, grammar)]
         found: dict[tuple[Action | None, ...], Clause] = {}
@@ -212,7 +228,11 @@ class WrittenOtherwise:
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
             if clause is not None and clause.accepted and not _names(clause.reading, grammar.wording.before_verbs):
                 found.setdefault((clause.action,), clause)
-        return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
+        if found:
+            return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
+        ordered = (one for way in ways for one in verb_first(way, grammar) if one.words[0] in self._commands.verbs)
+        placed = {one[0].actions: one for one in (self._placed_later(text, order, state) for order in ordered) if one}
+        return next(iter(placed.values())) if len(placed) == 1 else None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
@@ -252,6 +272,18 @@ class WrittenOtherwise:
             if clause is not None and clause.accepted and clause.reading is not None and is_meant(clause.reading):
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
+        return next(iter(found.values())) if len(found) == 1 else None
+
+    def _without_softening(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Ouvre voir la porte" of a grammar that has "ouvre la porte"."""
+        rule, verbs = self._said_lightly, self._commands.verbs | self._formal.forms_in(core)
+        found = self._understood_as(text, core, rule.without(core, verbs), state)
+        return found if found is not None and rule.means(core, verbs, _readings(found)) else None
+
+    def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "La palette, descends-la" of a grammar that has "descends la palette"."""
+        ways = self._taken_up.ways(core, self._commands.verbs)
+        found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:

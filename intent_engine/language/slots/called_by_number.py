@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from intent_engine.language import quantities
+from intent_engine.language.loading.language_words import default_parted
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -32,7 +33,11 @@ def is_called_so(said: Utterance, readings: Sequence[Reading], language: str) ->
     number three times" is no "three times"."""
     named = _named(readings, language)
     words = said.words
-    return all((words[place - 1], words[place + 1]) in named for place in _places(said, language))
+    verbs = {reading.words[0] for reading in readings}  # "Pumpe Nummer zwei einschalten", but "take number seven"
+    return all(
+        (words[place - 1], words[place + 1]) in named and (place > 1 or words[0] not in verbs)
+        for place in _places(said, language)
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +84,7 @@ def in_order(said: Utterance, language: str) -> InOrder | None:
 
 def _named(readings: Sequence[Reading], language: str) -> set[tuple[str, ...]]:
     """The words that name something by the number behind them, each with its number."""
-    joining = thing_words(language).joining
+    joining = thing_words(language).joining | default_parted(language)
     return {
         reading.words[slot.start - 1 : slot.start + 1]
         for reading in readings
@@ -111,7 +116,7 @@ def _places(said: Utterance, language: str) -> list[int]:
     words, breaks = said.words, said.breaks
     return [
         place
-        for place in range(2, len(words) - 1)
+        for place in range(1, len(words) - 1)
         if words[place] in numbers
         and not any(breaks[place : place + 2])
         and is_number(words[place + 1], language)

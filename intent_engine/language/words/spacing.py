@@ -50,7 +50,7 @@ class Spacing:
         one that it has. None that changes what is meant ("not") is part of it.
         """
         parted = self.uncontracted(said)
-        words, breaks = self._unelided(parted.words), list(parted.breaks)
+        words, breaks = self._unelided(parted), list(parted.breaks)
         for place in range(len(words) - 1, -1, -1):
             if place and self._grammar.language in _JOINS_SLOTS and words[place - 1] in self._articles:
                 continue  # "die Vorfahren": a noun
@@ -64,13 +64,14 @@ class Spacing:
                 del breaks[place + 1]
         return Utterance(words, breaks) if words != said.words else None
 
-    def _unelided(self, words: list[str]) -> list[str]:
-        """Words before a vowel as the grammar has them, in full: of "le" and "la" the one that may follow there."""
-        full = list(words)
+    def _unelided(self, said: Utterance) -> list[str]:
+        """Words before a vowel as the grammar has them, in full: of "le" and "la" the one that may follow there. The
+        vowel may be of a filler that is gone: "d'environ deux mètres"."""
+        words, full = said.words, list(said.words)
         for place, word in enumerate(words[:-1]):
             known = [one for one in in_full(word, self._grammar.language) if one in self._words]
             follows = [one for one in known if place and self.follow(full[place - 1], one)]
-            if known and words[place + 1][0] in _VOWELS:
+            if known and (words[place + 1][0] in _VOWELS or said.breaks[place + 1] is None):
                 full[place] = (follows or known)[0]
         return full
 

@@ -3,15 +3,17 @@ forbidden and ended ("non *girare*"), where a command says "gira"."""
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import Grammar
 
-__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "infinitives", "told_forms_of", "verbs_of", "verbs_told"]
+__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "infinitives", "told_forms_of", "verbs_of", "verbs_told", "without_stress"]
 
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
 LEAST_LETTERS = 2
+_ACUTE = "\N{COMBINING ACUTE ACCENT}"
 _VOWELS = frozenset("aeiouáéíóúàèìòù")
 NEARLY_THE_VERB: Mapping[str, str] = {
     "led": "lead", "sent": "send", "bent": "bend", "built": "build", "lent": "lend", "spent": "spend",
@@ -87,3 +89,8 @@ def verbs_of(said: str, ending: str, verb: str, grammar: Grammar) -> Iterator[st
     vowel = next((at for at in range(len(stem) - 1, -1, -1) if stem[at] in _VOWELS), -1)
     for other in grammar.wording.vowels.get(stem[vowel], ()) if vowel >= 0 else ():
         yield stem[:vowel] + other + stem[vowel + 1 :] + told
+
+
+def without_stress(verb: str) -> str:
+    """A verb without the accent that it has where something is written together with it: "apága", of "apágame"."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFD", verb).replace(_ACUTE, ""))

@@ -80,3 +80,24 @@ def test_what_asks_may_be_a_part_of_the_name_too(engine_of, said: str, title: st
 )
 def test_before_or_behind_a_command_it_asks_for_it(engine_of, said: str) -> None:
     assert dict(engine_of(GRAMMAR).parse(said).slots) == {"title": "yesterday"}
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence", "said", "title"),
+    [
+        ("fr", "cherche le livre {title}", "cherche le livre Bonjour tristesse", "bonjour tristesse"),
+        ("fr", "cherche le livre {title}", "salut, cherche le livre Germinal, merci beaucoup", "germinal"),
+        ("de", "spiel {title}", "spiel ok computer", "ok computer"),
+        ("de", "spiel {title}", "hallo, spiel bitte Yesterday, vielen dank", "yesterday"),
+        ("es", "pon la canción {title}", "pon la canción Hola soledad", "hola soledad"),
+        ("es", "pon la canción {title}", "hola, pon la canción Volare, muchas gracias", "volare"),
+        ("it", "metti la canzone {title}", "metti la canzone Ciao amore", "ciao amore"),
+        ("it", "metti la canzone {title}", "ciao, metti la canzone Volare, grazie mille", "volare"),
+    ],
+)
+def test_greetings_of_other_languages(engine_of, language: str, sentence: str, said: str, title: str) -> None:
+    grammar = (
+        f"language: {language}\nslots:\n  title: {{type: text, max_words: 4}}\n"
+        f"intents:\n  play: {{action: custom, sentences: ['{sentence}']}}\n"
+    )
+    assert dict(engine_of(grammar).parse(said).slots) == {"title": title}

@@ -78,7 +78,7 @@ RULES = {
     (Stops, "_clause_begins"): lambda self, words, start, position: True,
     (Phrases, "after_opening"): lambda self, words: 0,
     (Phrases, "only_stops"): lambda self, words, position: bool(words[position:]),
-    (NumbersInPieces, "restarted"): lambda self, core: False,
+    (NumbersInPieces, "restarted"): lambda self, core, said: False,
     (Corrections, "_pause_after"): lambda self, part, position: True,
     (Corrections, "corrected"): lambda self, part, state, before="": None,
     (Corrections, "_corrected_before"): lambda self, part, state: None,

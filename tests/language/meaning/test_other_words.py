@@ -257,3 +257,34 @@ intents:
 """)
     assert engine.parse(said, state=("moving",)).stops
     assert engine.parse(said).denied
+
+
+OPPOSITES = {
+    "en": """
+slots: {d: distance, way: {type: choice, values: {up: [up], down: [down]}}}
+intents: {lift: {action: custom, sentences: ["lift the tray [{way}] [by] {d}", "lift the tray by {d} {way}"]}}
+""",
+    "de": """
+language: de
+slots: {d: distance, way: {type: choice, values: {up: [hoch, "nach oben"], down: [runter, herunter, "nach unten"]}}}
+intents: {lift: {action: custom, sentences: ["heb den Korb {d} {way}"]}}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "lift the tray up down two meters"),
+        ("en", "lift the tray down up by two meters"),
+        ("en", "lift the tray up by two meters down"),
+        ("en", "lift up the tray two meters down"),
+        ("de", "heb den Korb zwei Meter hoch runter"),
+        ("de", "heb den Korb zwei Meter runter hoch"),
+        ("de", "heb den Korb zwei Meter hoch nach unten"),
+        ("de", "heb den Korb zwei Meter tief nach oben"),
+        ("de", "heb den Korb hoch zwei Meter herunter"),
+    ],
+)
+def test_one_of_two_opposite_ways_is_not_left_out(engine_of, language: str, said: str) -> None:
+    assert not engine_of(OPPOSITES[language]).parse(said).actions

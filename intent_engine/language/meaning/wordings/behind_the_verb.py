@@ -60,7 +60,7 @@ class BehindTheVerb:
         ("hol mir die Tasse" may bring it, and "hol die Tasse" take it)."""
         said = core
         for _, verb in reversed(list(self._verbs(core, verbs))):
-            at = self._behind(core, verb, self._of_the_verb)
+            at = self._behind(core, verb, self._of_the_verb - self._for_whom)
             words, paused = core.words[at : at + 1], any(core.breaks[verb + 1 : at + 2])
             if at + _LEAST_BEHIND >= len(core) or paused or self._for_whom.isdisjoint(words):
                 continue

@@ -60,6 +60,10 @@ class Formal:
             place = next_begins(said, place, self._phrases)
         return said if said.words != core.words else None
 
+    def forms_in(self, core: Utterance) -> set[str]:
+        """The words of an utterance that are such forms by themselves."""
+        return {word for word in core.words if self.is_one(word)} if self._forms else set()
+
     def is_one(self, word: str) -> bool:
         """Whether a word by itself is such a form."""
         return self._told(Utterance.in_one_breath([word]), 0, self._commands.first_words) is not None
@@ -85,5 +89,11 @@ class Formal:
                 continue
             ways = [told[0]] if at is None else verbs_of(words[at], form[at], told[0], grammar)
             if (verb := next((way for way in ways if way in verbs and way != words[0]), None)) is not None:
-                return len(form), (verb, *told[1:])
+                return len(form) + self._addressed(said, form, place), (verb, *told[1:])
         return None
+
+    def _addressed(self, said: Utterance, form: Sequence[str], place: int) -> int:
+        """Words behind a verb for whom it tells: "encienda *usted* la luz". Some forms have them already."""
+        at = place + len(form)
+        asked = self._commands.matcher.grammar.wording.asked
+        return int(len(form) == 1 and at < len(said) and said.words[at] in asked and not said.breaks[at])

@@ -37,6 +37,8 @@ class LedAmounts:
         self._articles = known.articles
         self._measures = known.measures
         self._own = own
+        self._contracted = {one: to for one, (to, _) in known.contracted.items() if to in own}
+        self._in_two = set(known.contracted.values())
         self._by_own = sorted(wording.led_by & own)
         self._lasting_own = sorted(wording.lasting & own)
         self._of_own = sorted(wording.sizes.keys() & own)
@@ -55,7 +57,7 @@ class LedAmounts:
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording
         word, after, *_ = (*words[at : at + 2], "")
-        if word in wording.sized:  # "two meters deep"
+        if word in wording.sized and word not in self._own:  # "two meters deep", but "zwei Meter hoch" may be a way
             yield Rewording(core.with_other(at, at + 1, _NOTHING), _Ends(words[at - 1]))
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
@@ -63,6 +65,8 @@ class LedAmounts:
         if word in wording.led_by or word in wording.lasting:
             kinds = _CHANGES if word in wording.led_by else _LASTS
             yield Rewording(without.said, _Begins([after], kinds))
+        if (words[at - 1], word) in self._in_two and is_number(after, self._language):  # "a il venti per cento"
+            yield Rewording(without.said, _Begins([after], {"percent"}))
         about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
         up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
         if about or up_to:
@@ -102,6 +106,9 @@ class LedAmounts:
             if word in self._wording.levels[words[0]] and other != word:
                 said = core.with_other(at, at + 1, Utterance.in_one_breath([other]))
                 yield Rewording(said, _Begins([after], _AMOUNTS))
+        if word in self._contracted and after and is_number(after, self._language):  # "all'otto per cento"
+            said = core.with_other(at, at + 1, Utterance.in_one_breath([self._contracted[word]]))
+            yield Rewording(said, _Begins([after], {"percent"}))
         for often in self._wording.how_often.get(word, ()):
             yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath(often.split())))
         for other in sorted(self._rates & self._own) if word in self._rates and after in self._times else ():

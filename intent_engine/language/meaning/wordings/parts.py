@@ -9,7 +9,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["next_begins", "part_by_part"]
+__all__ = ["in_a_number", "next_begins", "part_by_part"]
 
 
 def part_by_part(
@@ -57,12 +57,12 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
             yield start, start + joint, True
             start += joint
             continue
-        end = next_begins(said, start, phrases, lambda at: not _in_a_number(said, at, language))
+        end = next_begins(said, start, phrases, lambda at: not in_a_number(said, at, language))
         yield start, end, False
         start = end
 
 
-def _in_a_number(said: Utterance, at: int, language: str) -> bool:
+def in_a_number(said: Utterance, at: int, language: str) -> bool:
     """Whether a word stands within a number: "one *and* a half", "a meter *and* a half"."""
     table = units(language)
     if table is None or said.words[at] not in table.words["and"] or any(said.breaks[at : at + 2]):

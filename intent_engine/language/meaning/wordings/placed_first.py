@@ -70,7 +70,8 @@ class PlacedFirst:
     def means(self, reading: Reading, start: int, end: int) -> bool:
         """Whether the words are one value that no free words are said beside, with what leads it, and nothing else."""
         within = [slot for slot in reading.slots if slot.end > start and slot.start < end]
-        if len(within) != 1 or within[0].end != end or within[0].start < start:
+        counted = bool(within) and within[0].slot.type == "number" and within[0].end == end - 1  # "bei 72 Grad"
+        if len(within) != 1 or not (within[0].end == end or counted) or within[0].start < start:
             return False
         led = within[0].start > start
         if not led and reading.words[start - 1] in self._leading:

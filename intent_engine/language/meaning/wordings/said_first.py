@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.parts import in_a_number
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -28,6 +29,7 @@ class SaidFirst:
         self._says_when = grammar.wording.says_when
         self._leads = grammar.wording.leads | self._says_when
         self._is_manner = thing_words(grammar.language).is_manner
+        self._language = grammar.language
         self._phrases = phrases
 
     def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
@@ -39,9 +41,17 @@ class SaidFirst:
         for place in range(1 + led, min(len(words), _MOST + 1)):
             told = core.part(place, len(core))
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
-            if words[place] not in verbs or parted or self._phrases.sequence.may_stand_in(words):
+            if words[place] not in verbs or parted or self._joins(core):
                 continue
             yield Utterance.in_one_breath([*told.words, *words[:place]]), range(len(told), len(words))
+
+    def _joins(self, core: Utterance) -> bool:
+        """Whether anything joins two commands: not the "and" of "an hour and a half"."""
+        sequence = self._phrases.sequence
+        if not sequence.may_stand_in(core.words):
+            return False
+        places = (at for at in range(len(core)) if sequence.at(core.words, at))
+        return any(not in_a_number(core, at, self._language) for at in places)
 
     def manner_first(self, core: Utterance) -> Iterator[tuple[Utterance, range]]:
         """One command with the adverb first that came last, and its place."""

@@ -20,6 +20,7 @@ intents:
   subir: {action: custom, sentences: ["sube {m}"]}
   ir: {action: custom, sentences: ["ve a la {zona}"]}
   medir: {action: custom, sentences: ["mide la humedad"]}
+  traer: {action: custom, sentences: ["trae la caja"]}
 """,
     "fr": """
 language: fr
@@ -39,15 +40,17 @@ intents:
   accendere: {action: custom, sentences: ["accendi la luce"]}
   portare: {action: custom, sentences: ["porta la cassa"]}
   pulire: {action: custom, sentences: ["pulisci la {luogo}"]}
+  iniziare: {action: custom, sentences: ["inizia il giro"]}
 """,
     "de": """
 language: de
-slots: {n: {type: number, whole: true}}
+slots: {n: {type: number, whole: true}, zeit: duration}
 intents:
   schalten: {action: custom, sentences: ["schalte die Pumpe ein"]}
   holen: {action: custom, sentences: ["hol {n} Kisten"]}
   nehmen: {action: custom, sentences: ["nimm die Kiste"]}
   prüfen: {action: custom, sentences: ["prüfe Tank {n}"]}
+  rühren: {action: custom, sentences: ["rühr den Brei [für {zeit}]"]}
 """,
 }
 STRANGERS_VERBS = """
@@ -80,6 +83,27 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("es", "¿me riegas la huerta?", "riega la huerta"),
         ("es", "¿enciendes la luz, por favor?", "enciende la luz"),
         ("es", "enciende la luz otra vez", "enciende la luz"),
+        ("es", "encienda usted la luz", "enciende la luz"),
+        ("es", "tráigame usted la caja, porfa", "trae la caja"),
+        ("es", "¿podría usted traerme la caja?", "trae la caja"),
+        ("es", "necesito que me traigas la caja", "trae la caja"),
+        ("es", "¿me regarías la huerta?", "riega la huerta"),
+        ("fr", "tu peux me sortir le pain, s'il te plaît ?", "sors le pain"),
+        ("fr", "vous pourriez m'éteindre la lampe et nous régler le four", "éteins la lampe et règle le four"),
+        ("fr", "veuillez régler le four", "règle le four"),
+        ("fr", "il faudrait éteindre la lampe", "éteins la lampe"),
+        ("fr", "j'aimerais que vous me sortiez le pain", "sors le pain"),
+        ("fr", "vous m'éteignez la lampe, s'il vous plaît ?", "éteins la lampe"),
+        ("fr", "sors-nous le pain", "sors le pain"),
+        ("it", "puoi portarmi la cassa", "porta la cassa"),
+        ("it", "mi accendi la luce per favore?", "accendi la luce"),
+        ("it", "mi pulisci quella cucina?", "pulisci la cucina"),
+        ("it", "inizi il giro", "inizia il giro"),
+        ("it", "mi piacerebbe che accendessi la luce", "accendi la luce"),
+        ("it", "ci porteresti la cassa?", "porta la cassa"),
+        ("de", "könnten Sie wohl die Pumpe einschalten", "schalte die Pumpe ein"),
+        ("de", "ich möchte, dass Sie Tank 3 prüfen", "prüfe Tank 3"),
+        ("de", "kannst du für zehn Minuten den Brei rühren", "rühr den Brei für zehn Minuten"),
         ("fr", "pesez trois oeufs", "pèse trois oeufs"),
         ("fr", "peux-tu sortir le pain ?", "sors le pain"),
         ("fr", "vous pourriez peser trois oeufs", "pèse trois oeufs"),
@@ -110,6 +134,22 @@ def test_it_is_the_order(engines, language: str, said: str, meant: str) -> None:
     ("language", "said"),
     [
         ("es", "no riegue la huerta"),
+        ("es", "no encienda usted la luz"),
+        ("es", "usted enciende la luz"),
+        ("es", "me trae la caja"),
+        ("es", "puedes traerme suerte"),
+        ("fr", "tu m'éteins la lampe"),
+        ("fr", "il m'éteint la lampe"),
+        ("fr", "je peux t'éteindre la lampe"),
+        ("fr", "veuillez ne pas sortir le pain"),
+        ("fr", "il faudrait éteindre la lampe ?"),
+        ("fr", "il faudrait que Paul me sorte le pain"),
+        ("it", "mi porta la cassa"),
+        ("it", "mi hai acceso la luce"),
+        ("it", "vorrei che non accendessi la luce"),
+        ("it", "Paolo mi accende la luce"),
+        ("de", "ich möchte, dass sie die Pumpe einschaltet"),
+        ("de", "ich möchte, dass Sie Tank 3 nicht prüfen"),
         ("es", "quiero regar la huerta"),
         ("es", "quiero que no riegues la huerta"),
         ("es", "quiero que Pedro riegue la huerta"),

@@ -75,3 +75,72 @@ def test_it_is_the_same_command(farm: IntentEngine, said: str, usual: str) -> No
 )
 def test_what_may_be_when_or_of_something_else_is_none(farm: IntentEngine, said: str) -> None:
     assert not farm.parse(said).actions
+
+
+GREENHOUSE = {
+    "fr": """
+language: fr
+slots: {n: {type: number, whole: true}, où: [serre, cour], rayon: [fruits, fleurs], temps: duration}
+intents:
+  semer: {action: custom, sentences: ["sème {n} graines [dans la {où}]"]}
+  imprimer: {action: custom, sentences: ["imprime {n} étiquettes [pour les {rayon}]"]}
+  arroser: {action: custom, sentences: ["arrose [les] fleurs [pendant {temps}]"]}
+""",
+    "es": """
+language: es
+slots: {giro: angle, lado: [izquierda, derecha], tiempo: duration}
+intents:
+  girar: {action: custom, sentences: ["gira {giro} a la {lado}"]}
+  regar: {action: custom, sentences: ["riega la huerta durante {tiempo}", "riega la huerta en {tiempo}"]}
+""",
+    "it": """
+language: it
+slots: {n: {type: number, whole: true}, dove: [serra, stalla]}
+intents:
+  seminare: {action: custom, sentences: ["semina {n} semi [nella {dove}]"]}
+""",
+    "de": """
+language: de
+slots: {n: {type: number, whole: true}, wo: [Halle, Scheune], zeit: duration, grad: number}
+intents:
+  säen: {action: custom, sentences: ["säe {n} Samen [in der {wo}]"]}
+  rasten: {action: custom, sentences: ["mach eine Rast von {zeit} bei {grad} Grad"]}
+  gießen: {action: custom, sentences: ["gieß die Beete in {zeit}"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "usual"),
+    [
+        ("fr", "dans la serre, sème dix graines", "sème dix graines dans la serre"),
+        ("fr", "pour les fruits, imprime vingt étiquettes", "imprime vingt étiquettes pour les fruits"),
+        ("es", "a la izquierda gira treinta grados", "gira treinta grados a la izquierda"),
+        ("es", "durante hora y media riega la huerta", "riega la huerta durante hora y media"),
+        ("it", "nella serra semina dieci semi", "semina dieci semi nella serra"),
+        ("de", "in der Halle säe bitte zehn Samen", "säe zehn Samen in der Halle"),
+        ("de", "mach bei 72 Grad eine Rast von zehn Minuten", "mach eine Rast von zehn Minuten bei 72 Grad"),
+        ("de", "bei 72 Grad bitte eine Rast von zehn Minuten machen", "mach eine Rast von zehn Minuten bei 72 Grad"),
+    ],
+)
+def test_it_is_the_same_in_other_languages(engine_of, language: str, said: str, usual: str) -> None:
+    engine = engine_of(GREENHOUSE[language])
+    assert engine.parse(said).actions == engine.parse(usual).actions != ()
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("fr", "dans la serre Paul sème dix graines"),
+        ("fr", "dans dix minutes arrose les fleurs"),
+        ("fr", "pour Paul, imprime vingt étiquettes"),
+        ("es", "en diez minutos riega la huerta"),
+        ("es", "a la izquierda no gires treinta grados"),
+        ("it", "nella serra si semina dieci semi"),
+        ("de", "in der Halle säe ich zehn Samen"),
+        ("de", "in zehn Minuten gieß die Beete"),
+        ("de", "bei 72 Grad machen wir eine Rast von zehn Minuten"),
+    ],
+)
+def test_what_is_told_or_of_another_time_is_none_in_other_languages(engine_of, language: str, said: str) -> None:
+    assert not engine_of(GREENHOUSE[language]).parse(said).actions

@@ -1,0 +1,71 @@
+"""Words that soften an order and say nothing of it: "ouvre *voir* la porte", "avvia *pure* il programma", "abre la
+puerta, *anda*"; and those that say vaguely how much or how long, beside an amount: "tourne *un peu* de dix degrés"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.parts import next_begins
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+
+__all__ = ["SaidLightly"]
+
+_NOTHING = Utterance([], [])
+_AMOUNTS = frozenset({*QUANTITY_KINDS, "number", "ordinal"})
+
+
+class SaidLightly:
+    """Reads an order without such words.
+
+    Args:
+        grammar: whose language has them.
+        phrases: of the grammar.
+    """
+
+    def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+        wording = grammar.wording
+        self._softens = PhraseSet(wording.softens)
+        self._vague = PhraseSet(wording.vaguely)
+        self._urges = PhraseSet(wording.urges)
+        self._namely = PhraseSet(wording.namely)
+        self._behind_verb = wording.for_whom | wording.asked
+        self._phrases = phrases
+
+    def without(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """The same without them; None: there are none.
+
+        Args:
+            core: what was said, without its fillers.
+            verbs: words with which a command may begin.
+        """
+        said = core
+        for start, length in reversed(list(self._places(core, verbs))):
+            said = said.with_other(start, start + length, _NOTHING)
+        return said if len(said) and said.words != core.words else None
+
+    def means(self, core: Utterance, verbs: Collection[str], readings: Sequence[Reading]) -> bool:
+        """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells."""
+        vague = any(self._vague.at(core.words, start) for start, _ in self._places(core, verbs))
+        return not vague or all(any(slot.slot.type in _AMOUNTS for slot in one.slots) for one in readings)
+
+    def _places(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
+        """Where they stand, and how many: behind the verbs of commands, and at the end."""
+        words, start = core.words, 0
+        while start < len(core):
+            rest = words[start:]
+            at = start + max(self._phrases.goes_on(rest), self._phrases.opens(rest))
+            if at < len(core) and words[at] in verbs:
+                at += 1 + (words[at + 1 : at + 2] != [] and words[at + 1] in self._behind_verb)
+                length = max(self._softens.at(words, at), self._vague.at(words, at))
+                if length and at + length < len(core) and not any(core.breaks[at : at + length]):
+                    yield at, length
+            start = next_begins(core, max(at, start), self._phrases)
+        namely = next((at for at in range(2, len(core) - 1) if core.breaks[at] and self._namely.at(words, at)), None)
+        if namely is not None and not any(core.breaks[namely + 1 :]):
+            yield namely, self._namely.at(words, namely)
+        elif (last := self._urges.ends(words)) and len(core) - last > 1 and words[-last] not in verbs:
+            yield len(core) - last, last

@@ -1,0 +1,77 @@
+"""Words that soften an order and say nothing of it, and those that say nothing beside an amount."""
+
+from __future__ import annotations
+
+import pytest
+from meanings import assert_same
+
+GRAMMARS = {
+    "fr": """
+language: fr
+slots: {loin: distance}
+intents:
+  ouvrir: {action: custom, sentences: ["ouvre la porte"]}
+  monter: {action: custom, sentences: ["monte la caisse [de {loin}]"]}
+""",
+    "es": """
+language: es
+slots: {rato: duration}
+intents:
+  abrir: {action: custom, sentences: ["abre la puerta"]}
+  regar: {action: custom, sentences: ["riega la huerta [durante {rato}]"]}
+""",
+    "it": """
+language: it
+slots: {quanto: angle}
+intents:
+  aprire: {action: custom, sentences: ["apri la porta"]}
+  girare: {action: custom, sentences: ["gira la gru [di {quanto}]"]}
+""",
+    "de": """
+language: de
+slots: {zeit: duration, weit: distance}
+intents:
+  öffnen: {action: custom, sentences: ["öffne die Tür"]}
+  rühren: {action: custom, sentences: ["rühr den Brei [für {zeit}]"]}
+  fahren: {action: custom, sentences: ["fahr {weit} vor"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("fr", "ouvre voir la porte", "ouvre la porte"),
+        ("fr", "ouvrez bien la porte", "ouvre la porte"),
+        ("fr", "monte un peu la caisse, de deux mètres", "monte la caisse de deux mètres"),
+        ("es", "cierra, no, abre la puerta, anda", "abre la puerta"),
+        ("es", "riega un poco la huerta durante dos minutos", "riega la huerta durante dos minutos"),
+        ("it", "apri pure la porta", "apri la porta"),
+        ("it", "gira un attimo la gru di dieci gradi", "gira la gru di dieci gradi"),
+        ("de", "öffne ruhig die Tür", "öffne die Tür"),
+        ("de", "fahr nur einen halben Meter vor", "fahr einen halben Meter vor"),
+        ("de", "rühr den Brei, und zwar für zehn Minuten", "rühr den Brei für zehn Minuten"),
+    ],
+)
+def test_it_is_the_order(engine_of, language: str, said: str, meant: str) -> None:
+    assert_same(engine_of(GRAMMARS[language]), said, meant)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("fr", "monte un peu la caisse"),  # how much that is nobody knows
+        ("fr", "ouvre la porte pour voir"),
+        ("fr", "il ouvre bien la porte"),
+        ("es", "riega un poco la huerta"),
+        ("es", "anda a la puerta"),
+        ("it", "gira un po' la gru"),
+        ("it", "apri pure domani la porta"),
+        ("de", "rühr ein bisschen den Brei"),
+        ("de", "rühr den Brei, und zwar morgen"),
+        ("de", "öffne nur die Tür"),  # and what not?
+        ("de", "öffne ruhig nicht die Tür"),
+    ],
+)
+def test_what_may_say_more_does_nothing(engine_of, language: str, said: str) -> None:
+    assert not engine_of(GRAMMARS[language]).parse(said).actions
