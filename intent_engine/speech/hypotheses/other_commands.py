@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from intent_engine.speech.acoustic.rows import Rows
@@ -128,9 +128,21 @@ class OtherCommands(Clearness):
         far: bool,
     ) -> dict[tuple[str, ...], str]:
         """Of the sentences beside one those that are wanted, as :meth:`_rivals` gives them."""
-        rows = self._along(encoded, words, language, widely=widely)
-        beside = self.guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
+        own = self.grammar.as_it_has_it(tuple(words), language)
+        rows = self._along(encoded, own, language, widely=widely)
+        beside = self.guide(language).rivals.beside(own, rows, near, widely=widely, far=far)
+        if own != tuple(words):
+            beside = self._in_words(words, beside, language)
         return {one: beside[one] for one in itertools.islice(filter(wanted, beside), MOST_RIVALS)}
+
+    def _in_words(
+        self, words: Sequence[str], beside: Mapping[tuple[str, ...], str], language: str | None
+    ) -> dict[tuple[str, ...], str]:
+        """Sentences beside one in the small words in which this was put: "raise *your* bed *up* to fifteen"."""
+        found = {}
+        for sentence, word in beside.items():
+            found.setdefault(self.grammar.put(sentence, words, language), word)
+        return found
 
     def close_to(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:
         """Other commands that may have been said where one was heard word by word, each with the word in question."""

@@ -21,6 +21,7 @@ from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
 from intent_engine.speech.hypotheses.opposing import opposing
+from intent_engine.speech.hypotheses.other_wordings import in_words_heard
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import WakeWords
@@ -35,6 +36,8 @@ CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
 SEARCHES = 64
 """Searches whose results are kept."""
+BENEATH = 4
+"""Those of them that are looked at without the small words that were heard."""
 OPENINGS = 4
 """Beginnings of commands in which something is dictated, that are looked up,"""
 LONGEST_OPENING = 5
@@ -126,6 +129,30 @@ class SpokenGrammar:
             *self._corrected(heard, language),
             *self.woken(heard, language),
         ]
+
+    def in_words_heard(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard but for small words, in those that were heard: "haul *that* rock"."""
+        return list(dict.fromkeys(self.put(one, heard, language) for one in self._beneath(heard, language)))
+
+    def put(self, sentence: Sequence[str], heard: Sequence[str], language: str | None = None) -> tuple[str, ...]:
+        """As :func:`~intent_engine.speech.hypotheses.other_wordings.in_words_heard`; the sentence itself where it has
+        no such words."""
+        small = self._known(language).small
+        return in_words_heard(sentence, heard, small, lambda text: self.parse(text, language)) or tuple(sentence)
+
+    def _beneath(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard, without small words that the grammar has nowhere. None, if all are its."""
+        known = self._known(language)
+        own = tuple(word for word in heard if word in known.own or word not in known.small)
+        return self._like(own, language)[:BENEATH] if len(own) < len(heard) else []
+
+    def as_it_has_it(self, words: tuple[str, ...], language: str | None = None) -> tuple[str, ...]:
+        """The sentence of the grammar that other words mean; the same where they are one, or none is."""
+        state = self._known(language).matcher.spoken.walk(words)[1]
+        if state is not None and state.accepts:
+            return words
+        beneath = self._beneath(words, language)
+        return next((one for one in beneath if self.put(one, words, language) == words), words)
 
     def _like(self, heard: tuple[str, ...], language: str | None, *, wider: bool = False) -> list[tuple[str, ...]]:
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))

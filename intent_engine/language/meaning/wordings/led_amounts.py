@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.meaning.wordings.counted import counts_one
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -93,7 +94,7 @@ class LedAmounts:
         """Whether a number may begin at a place."""
         counts = is_number(words[at], self._language) and not is_number(words[at - 1], self._language)
         led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
-        return (counts or words[at] in self._articles) and not led
+        return (counts or counts_one(words[at], " ".join(words[at + 1 : at + 2]), self._language)) and not led
 
     def _exchanged(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words = core.words
