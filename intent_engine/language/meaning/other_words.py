@@ -18,9 +18,12 @@ from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.sides import Sides
+from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verbless import Verbless
+from intent_engine.language.meaning.wordings.wished_done import WishedDone
 from intent_engine.language.meaning.wordings.wished_things import WishedThings
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
@@ -62,7 +65,10 @@ class OtherWords:
         self._placed_first = PlacedFirst(grammar, phrases)
         self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
+        self._said_first = SaidFirst(grammar, phrases)
+        self._taken_up = TakenUp(grammar)
         self._wished = WishedThings(grammar)
+        self._wished_done = WishedDone(grammar, self._verbless)
 
     def told(self, said: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
         """The utterance with its commands as the grammar has them. None: it has none of them in other words, or one
@@ -76,8 +82,14 @@ class OtherWords:
         """
         if len(said) > _MOST_WORDS:
             return None
-        switched = None if asks else self._one_of(self._verbless.ways(said, self._commands.verbs), said, state)
-        return switched or part_by_part(
+        verbs = self._commands.verbs
+        if not asks:
+            switched = self._one_of(self._verbless.ways(said, verbs), said, state)
+            taken_up = list(self._taken_up.ways(said, verbs))
+            found = switched or self._one_of(self._ways(taken_up), said, state)
+            if found is not None:
+                return found
+        return part_by_part(
             said, self._phrases, self._language, lambda part: self._otherwise(part, state, asks=asks)
         )
 
@@ -87,9 +99,12 @@ class OtherWords:
             return None  # what is refused in its own words is refused in others
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
             return self._one_of(self._ways([Rewording(part)])[1:], part, state)
+        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
         if asks:
-            return self._one_of(self._wished.ways(part, verbs), part, state)
-        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or list(self._wished.ways(part, verbs))
+            return self._one_of(wished, part, state)
+        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished
+        if not ordered and any(self._said_first.verb_first(part, verbs)):
+            return self._one_of(self._ways([Rewording(part)]), part, state)  # "for the next hour stay there"
         return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
@@ -123,9 +138,11 @@ class OtherWords:
         return self._commands.matcher.prefix(words)[1] is not None
 
     def _placed(self, part: Utterance) -> Iterator[Rewording]:
-        rule = self._placed_first
-        for way, start, end in rule.ways(part, self._commands.verbs):
-            yield Rewording(way, partial(rule.means, start=start, end=end))
+        verbs = self._commands.verbs
+        for way, start, end in self._placed_first.ways(part, verbs):
+            yield Rewording(way, partial(self._placed_first.means, start=start, end=end))
+        for way, moved in self._said_first.verb_first(part, verbs):
+            yield Rewording(way, partial(self._said_first.means, moved=moved))
 
 
 def _is_meant(way: Rewording, clause: Clause, said: Utterance) -> bool:

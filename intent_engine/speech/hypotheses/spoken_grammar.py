@@ -141,9 +141,11 @@ class SpokenGrammar:
         return in_words_heard(sentence, heard, small, lambda text: self.parse(text, language)) or tuple(sentence)
 
     def _beneath(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
-        """Sentences like the words heard, without small words that the grammar has nowhere. None, if all are its."""
+        """Sentences like the words heard, without small words that point or that the grammar has nowhere. None, if
+        there are none."""
         known = self._known(language)
-        own = tuple(word for word in heard if word in known.own or word not in known.small)
+        points = self.wording(language).points
+        own = tuple(word for word in heard if word not in (points if word in known.own else known.small))
         return self._like(own, language)[:BENEATH] if len(own) < len(heard) else []
 
     def as_it_has_it(self, words: tuple[str, ...], language: str | None = None) -> tuple[str, ...]:

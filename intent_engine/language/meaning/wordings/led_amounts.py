@@ -64,6 +64,8 @@ class LedAmounts:
         if word in wording.led_by or word in wording.lasting:
             kinds = _CHANGES if word in wording.led_by else _LASTS
             yield Rewording(without.said, _Begins([after], kinds))
+        if word in self._articles and after in wording.coming and words[at - 1] in wording.lasting:
+            yield from self._without_coming(core, at)
         about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
         up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
         if about or up_to:
@@ -71,6 +73,13 @@ class LedAmounts:
         sizes = wording.sizes.get(words[at + 2], ()) if at + 3 < len(words) else ()
         if word in self._articles and after in sizes and not any(core.breaks[at + 2 : at + 4]):
             yield Rewording(core.with_other(at, at + 3, _NOTHING), _Begins([words[at + 3]], _AMOUNTS))
+
+    def _without_coming(self, core: Utterance, at: int) -> Iterator[Rewording]:
+        """ "For *the next* two hours", and "for *the next* hour", which is one."""
+        first = core.words[at + 2] if at + 2 < len(core) else ""
+        one = [] if is_number(first, self._language) or first not in self._times else ["one"]
+        said = core.with_other(at, at + 2, Utterance.in_one_breath(one))
+        yield Rewording(said, _Begins([*one, first], _LASTS))
 
     def _goes(self, verb: str, way: str) -> bool:
         """Whether a verb goes that way anyhow. "Raise the boom *down* to a meter" says two things, and "turn the volume

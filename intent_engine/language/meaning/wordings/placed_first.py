@@ -8,6 +8,7 @@ from collections.abc import Iterator, Set
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -36,6 +37,8 @@ class PlacedFirst:
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles
         self._language = grammar.language
+        table = units(grammar.language)
+        self._parts = table.parts_of_one if table is not None else frozenset[str]()
         self._phrases = phrases
 
     def ways(self, core: Utterance, verbs: Set[str]) -> Iterator[tuple[Utterance, int, int]]:
@@ -61,7 +64,8 @@ class PlacedFirst:
     def _ends(self, words: list[str], begin: int) -> range:
         """Where what begins at a place may end; further behind the verb it begins with a preposition or a number."""
         lead = self._placed.at(words, begin) or (words[begin] in self._leads)
-        counts = is_number(words[begin], self._language) or words[begin] in self._articles  # "a quarter turn"
+        counts = words[begin] in self._articles or words[begin] in self._parts  # "a quarter turn", "half a meter"
+        counts = counts or is_number(words[begin], self._language)
         if not (lead or counts or begin == 1):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2
