@@ -87,25 +87,27 @@ class OtherWords:
             switched = self._one_of(self._verbless.ways(said, verbs), said, state)
             taken_up = list(self._taken_up.ways(said, verbs))
             found = switched or self._one_of(self._ways(taken_up), said, state)
+            if found is None and self._said_first.leads(said):  # "for the next hour, stay there"
+                found = self._one_of(self._ways([Rewording(said)]), said, state)
             if found is not None:
                 return found
-        return part_by_part(
-            said, self._phrases, self._language, lambda part: self._otherwise(part, state, asks=asks)
-        )
+        return part_by_part(said, self._phrases, self._language, partial(self._otherwise, said, state, asks=asks))
 
-    def _otherwise(self, part: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
+    def _otherwise(
+        self, said: Utterance, state: Collection[str], part: Utterance, *, asks: bool
+    ) -> Utterance | None:
+        """One of the commands of what was said otherwise."""
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
-            return self._one_of(self._ways([Rewording(part)])[1:], part, state)
+            # As a whole it was tried with something in another place already.
+            return self._one_of(self._ways([Rewording(part)], placed=len(part) < len(said))[1:], part, state)
         wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
         if asks:
             return self._one_of(wished, part, state)
         ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished
-        if not ordered and any(self._said_first.verb_first(part, verbs)):
-            return self._one_of(self._ways([Rewording(part)]), part, state)  # "for the next hour stay there"
-        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
+        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""
@@ -123,16 +125,17 @@ class OtherWords:
                     return placed
         return next(iter(found.values())) if len(found) == 1 else None
 
-    def _ways(self, found: list[Rewording]) -> list[Rewording]:
-        """Ways to put one command, and these in other words of one kind, or of several at once."""
+    def _ways(self, found: list[Rewording], *, placed: bool = False) -> list[Rewording]:
+        """Ways to put one command, and these in other words of one kind, or of several at once; the former also with
+        something in another place, if that is to be ``placed`` as well."""
         ways = [*found]
         for kind in self._kinds:
             for before in tuple(ways):
                 ways += [before.then(way) for way in islice(kind(before.said), max(0, _MOST_WAYS - len(ways)))]
-        placed: list[Rewording] = []
-        for before in sorted(ways[len(found) :], key=lambda way: len(way.said)):  # the plainest first
-            placed += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(placed))]
-        return [*ways, *placed]
+        moved: list[Rewording] = []
+        for before in sorted(ways[0 if placed else len(found) :], key=lambda way: len(way.said)):  # the plainest first
+            moved += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(moved))]
+        return [*ways, *moved]
 
     def _begins(self, words: list[str]) -> bool:
         return self._commands.matcher.prefix(words)[1] is not None

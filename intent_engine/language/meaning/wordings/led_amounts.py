@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
-from intent_engine.language.meaning.wordings.counted import counts_one
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -47,10 +47,11 @@ class LedAmounts:
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """Without a word, with one more, and with another."""
+        begin = {amount.start for amount in amounts(core.words, self._language)}
         for at in range(1, len(core)):
             if not core.breaks[at]:
                 yield from self._left_out(core, at)
-                yield from self._put_in(core, at)
+                yield from self._put_in(core, at, counts=at in begin)
                 yield from self._exchanged(core, at)
 
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
@@ -89,21 +90,16 @@ class LedAmounts:
         idle = self._wording.idle_particles.get(verb, frozenset[str]()) & ways
         return way in idle if idle else not own
 
-    def _put_in(self, core: Utterance, at: int) -> Iterator[Rewording]:
+    def _put_in(self, core: Utterance, at: int, *, counts: bool) -> Iterator[Rewording]:
         words = core.words
+        led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
         for leads, kinds in ((self._by_own, _CHANGES), (self._lasting_own, _LASTS)):
-            for lead in leads if self._may_begin(words, at) else ():  # "turn thirty degrees", of "turn by {angle}"
+            for lead in leads if counts and not led else ():  # "turn thirty degrees", of "turn by {angle}"
                 said = core.with_other(at, at, Utterance.in_one_breath([lead]))
                 yield Rewording(said, _Begins([words[at]], kinds, free=False))
         if words[at - 1] in self._measures and words[at] not in self._of_own:
             for of in self._of_own:  # "twenty milliliters lime juice"
                 yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
-
-    def _may_begin(self, words: list[str], at: int) -> bool:
-        """Whether a number may begin at a place."""
-        counts = is_number(words[at], self._language) and not is_number(words[at - 1], self._language)
-        led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
-        return (counts or counts_one(words[at], " ".join(words[at + 1 : at + 2]), self._language)) and not led
 
     def _exchanged(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words = core.words

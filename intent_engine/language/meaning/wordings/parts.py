@@ -45,7 +45,7 @@ def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[
         may_be: whether it may be at a place.
     """
     later = filter(may_be, range(start + 1, len(said)))
-    return next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
+    return next((at for at in later if said.breaks[at] or phrases.goes_on_at(said.words, at)), len(said))
 
 
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:

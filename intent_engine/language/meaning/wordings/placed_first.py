@@ -8,6 +8,7 @@ from collections.abc import Iterator, Set
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -46,17 +47,23 @@ class PlacedFirst:
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
-        places = (place for place in range(1, len(words)) if core.breaks[place] is None)
-        if any(is_number(words[place], self._language) for place in places):
+        anew = (place for place in range(1, len(words)) if core.breaks[place] is None)
+        if any(is_number(words[place], self._language) for place in anew):
             return  # "five feet, uh, five forward": it may have been said anew
+        within = {at for amount in amounts(words, self._language) for at in amount[1:]}
         for begin in range(1, len(words) - 1):
+            if begin in within:
+                continue
             for end in self._ends(words, begin):
+                if end in within:
+                    continue
                 if words[begin] not in self._articles and not verbs.isdisjoint(words[begin:end]):
                     continue  # "step one turn left" may be "step one: turn left", but "a quarter turn" is none
                 numbers = all(is_number(word, self._language) for word in words[end - 1 : end + 1])
                 if numbers or self._phrases.sequence.find([*words[:begin], *words[end:]]) is not None:
                     continue  # "with 3 5" may be with 35
-                for place in range(end + 1, len(words) + 1) if begin == 1 else (len(words),):
+                places = range(end + 1, len(words) + 1) if begin == 1 else (len(words),)
+                for place in (place for place in places if place not in within):
                     told = [*words[:begin], *words[end:place], *words[begin:end], *words[place:]]
                     start = begin + place - end
                     yield Utterance.in_one_breath(told), start, start + end - begin
@@ -77,7 +84,8 @@ class PlacedFirst:
         if len(within) != 1 or within[0].end != end or within[0].start < start:
             return False
         led = within[0].start > start
-        if not led and reading.words[start - 1] in self._leading:
+        said_before = any(slot.end == start and slot.slot.type == "choice" for slot in reading.slots)  # "move it up"
+        if not led and not said_before and reading.words[start - 1] in self._leading:
             return False  # "turn left to" leads to what was not said
         placed = self._placed.at(list(reading.words), start) > 0
         if not placed and any(slot.slot.type in FREE_KINDS for slot in reading.slots):
