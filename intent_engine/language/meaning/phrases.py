@@ -37,6 +37,7 @@ class Phrases:
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         self._articles = thing_words(grammar.language).articles
+        self.merely = wording.merely
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
         counted = [words for words in grammar.counted if not own.issuperset(words)]

@@ -26,6 +26,7 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
+from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
@@ -97,6 +98,7 @@ class WrittenOtherwise:
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
+        self._reasons = Reasons(wording, phrases, self._matcher.grammar.operators.closed)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
@@ -148,6 +150,7 @@ class WrittenOtherwise:
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
+        yield self._reasons.without(core, self._commands.verbs)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)

@@ -52,7 +52,8 @@ def _number_end(words: Sequence[str], at: int, language: str, table: Units | Non
 
 def _counts(word: str, language: str, table: Units | None) -> bool:
     parts = table.parts_of_one | table.words.get("two", frozenset()) if table is not None else frozenset[str]()
-    return word in parts or is_number(word, language)
+    article = table is not None and word in table.words["one"]  # "ein" is a number, too
+    return word in parts or (not article and is_number(word, language))
 
 
 def _joining(table: Units | None) -> frozenset[str]:

@@ -53,6 +53,9 @@ class LedAmounts:
                 yield from self._left_out(core, at)
                 yield from self._put_in(core, at, counts=at in begin)
                 yield from self._exchanged(core, at)
+            if core.words[at] in self._wording.merely and at + 1 in begin and core.breaks[at] is not None:
+                without = Rewording(core.with_other(at, at + 1, _NOTHING))
+                yield Rewording(without.said, _Begins([core.words[at + 1]], _AMOUNTS, free=False))
 
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording

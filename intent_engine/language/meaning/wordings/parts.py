@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.numbers.units import units
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -57,7 +58,12 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
             yield start, start + joint, True
             start += joint
             continue
-        end = next_begins(said, start, phrases, lambda at: not _in_a_number(said, at, language))
+        merely = {amount.start - 1 for amount in amounts(said.words, language)}  # "go just two meters"
+
+        def begins(at: int) -> bool:
+            return not (_in_a_number(said, at, language) or (at in merely and said.words[at] in phrases.merely))
+
+        end = next_begins(said, start, phrases, begins)
         yield start, end, False
         start = end
 

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -29,6 +30,7 @@ class SaidFirst:
         self._leads = grammar.wording.leads | self._says_when
         self._is_manner = thing_words(grammar.language).is_manner
         self._phrases = phrases
+        self._language = grammar.language
 
     def leads(self, core: Utterance) -> bool:
         """Whether it begins with a preposition of how something is done."""
@@ -40,10 +42,12 @@ class SaidFirst:
         led = self.leads(core)
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
             return
-        for place in range(1 + led, min(len(words), _MOST + 1)):
+        counted = {at for amount in amounts(words, self._language) for at in amount}
+        joined = self._phrases.sequence.may_stand_in([word for at, word in enumerate(words) if at not in counted])
+        for place in range(1 + led, min(len(words), _MOST + 1)) if not joined else ():
             told = core.part(place, len(core))
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
-            if words[place] not in verbs or parted or self._phrases.sequence.may_stand_in(words):
+            if words[place] not in verbs or parted:
                 continue
             yield Utterance.in_one_breath([*told.words, *words[:place]]), range(len(told), len(words))
 
