@@ -41,6 +41,7 @@ class PlacedFirst:
         table = units(grammar.language)
         self._parts = table.parts_of_one if table is not None else frozenset[str]()
         self._phrases = phrases
+        self._sides = {way for said in grammar.wording.sides for way in said.split("/") if " " not in way} - self._leads
 
     def ways(self, core: Utterance, verbs: Set[str]) -> Iterator[tuple[Utterance, int, int]]:
         """Ways to say one command with such words later, each with where they stand then."""
@@ -51,6 +52,7 @@ class PlacedFirst:
         if any(is_number(words[place], self._language) for place in anew):
             return  # "five feet, uh, five forward": it may have been said anew
         within = {at for amount in amounts(words, self._language) for at in amount[1:]}
+        joins = [at not in within for at in range(len(words))]  # the "and" of "a hundred and twenty" does not
         for begin in range(1, len(words) - 1):
             if begin in within:
                 continue
@@ -60,7 +62,8 @@ class PlacedFirst:
                 if words[begin] not in self._articles and not verbs.isdisjoint(words[begin:end]):
                     continue  # "step one turn left" may be "step one: turn left", but "a quarter turn" is none
                 numbers = all(is_number(word, self._language) for word in words[end - 1 : end + 1])
-                if numbers or self._phrases.sequence.find([*words[:begin], *words[end:]]) is not None:
+                others = [word for at, word in enumerate(words) if joins[at] and not begin <= at < end]
+                if numbers or self._phrases.sequence.find(others) is not None:
                     continue  # "with 3 5" may be with 35
                 places = range(end + 1, len(words) + 1) if begin == 1 else (len(words),)
                 for place in (place for place in places if place not in within):
@@ -69,11 +72,12 @@ class PlacedFirst:
                     yield Utterance.in_one_breath(told), start, start + end - begin
 
     def _ends(self, words: list[str], begin: int) -> range:
-        """Where what begins at a place may end; further behind the verb it begins with a preposition or a number."""
+        """Where what begins at a place may end; further behind the verb it begins with a preposition or a number, or is
+        a way."""
         lead = self._placed.at(words, begin) or (words[begin] in self._leads)
         counts = words[begin] in self._articles or words[begin] in self._parts  # "a quarter turn", "half a meter"
         counts = counts or is_number(words[begin], self._language)
-        if not (lead or counts or begin == 1):
+        if not (lead or counts or begin == 1 or words[begin] in self._sides):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2
         return range(begin + 1 + lead, min(len(words), most))
