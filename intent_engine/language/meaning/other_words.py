@@ -100,10 +100,13 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
+        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
             # As a whole it was tried with something in another place already.
-            return self._one_of(self._ways([Rewording(part)], placed=len(part) < len(said))[1:], part, state)
-        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
+            ways = self._ways([Rewording(part)], placed=len(part) < len(said))[1:]
+            found = self._one_of(ways, part, state)
+            if found is not None or not wished:  # "get the pump switched off", of a grammar that gets things, too
+                return found
         if asks:
             return self._one_of(wished, part, state)
         ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished

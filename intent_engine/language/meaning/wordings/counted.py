@@ -15,8 +15,7 @@ def counts_one(article: str, after: str, language: str) -> bool:
     table = units(language)
     if table is None or article not in table.words["one"]:
         return False
-    counts = table.parts_of_one | table.words.get("two", frozenset())
-    return after in counts or (after,) in table.names or is_number(after, language)
+    return after in _parts(table) or (after,) in table.names or is_number(after, language)
 
 
 def amounts(words: Sequence[str], language: str) -> list[range]:
@@ -37,13 +36,13 @@ def amounts(words: Sequence[str], language: str) -> list[range]:
 
 def _number_end(words: Sequence[str], at: int, language: str, table: Units | None) -> int:
     """Where the number ends that begins at a place; there, if none does."""
-    end, joins = at, _joining(table)
+    end, joins, parts = at, _joining(table), _parts(table)
     while end < len(words):
-        after = words[end + 1] if end + 1 < len(words) else ""
-        begins = end == at or words[end - 1] in joins  # "lift three a meter" has two
-        counted = _counts(words[end], language, table) or (begins and counts_one(words[end], after, language))
+        after, next_after, *_ = (*words[end + 1 : end + 3], "", "")
+        goes_on = end == at or words[end - 1] in joins or words[end - 1] in parts  # "lift three a meter" has two
+        counted = _counts(words[end], language, table) or (goes_on and counts_one(words[end], after, language))
         joined = end > at and words[end] in joins
-        one_more = _counts(after, language, table) or counts_one(after, "".join(words[end + 2 : end + 3]), language)
+        one_more = _counts(after, language, table) or counts_one(after, next_after, language)
         if not (counted or (joined and one_more)):
             break
         end += 1
@@ -51,9 +50,13 @@ def _number_end(words: Sequence[str], at: int, language: str, table: Units | Non
 
 
 def _counts(word: str, language: str, table: Units | None) -> bool:
-    parts = table.parts_of_one | table.words.get("two", frozenset()) if table is not None else frozenset[str]()
     article = table is not None and word in table.words["one"]  # "ein" is a number, too
-    return word in parts or (not article and is_number(word, language))
+    return word in _parts(table) or (not article and is_number(word, language))
+
+
+def _parts(table: Units | None) -> frozenset[str]:
+    """Words that count behind an article: "half", "couple"."""
+    return table.parts_of_one | table.words.get("two", frozenset()) if table is not None else frozenset()
 
 
 def _joining(table: Units | None) -> frozenset[str]:
