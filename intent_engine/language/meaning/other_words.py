@@ -93,9 +93,7 @@ class OtherWords:
                 return found
         return part_by_part(said, self._phrases, self._language, partial(self._otherwise, said, state, asks=asks))
 
-    def _otherwise(
-        self, said: Utterance, state: Collection[str], part: Utterance, *, asks: bool
-    ) -> Utterance | None:
+    def _otherwise(self, said: Utterance, state: Collection[str], part: Utterance, *, asks: bool) -> Utterance | None:
         """One of the commands of what was said otherwise."""
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):

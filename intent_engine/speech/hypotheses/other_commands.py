@@ -139,7 +139,7 @@ class OtherCommands(Clearness):
         self, words: Sequence[str], beside: Mapping[tuple[str, ...], str], language: str | None
     ) -> dict[tuple[str, ...], str]:
         """Sentences beside one in the small words in which this was put: "raise *your* bed *up* to fifteen"."""
-        found = {}
+        found: dict[tuple[str, ...], str] = {}
         for sentence, word in beside.items():
             found.setdefault(self.grammar.put(sentence, words, language), word)
         return found

@@ -102,12 +102,11 @@ def _aligned(
 
     best: dict[tuple[int, int], tuple[float, int, int]] = {(0, 0): (0.0, 0, 0)}
     for at, place in itertools.product(range(len(sentence) + 1), range(len(heard) + 1)):
-        ways = [
-            (best[at - own, place - other][0] + cost(tuple(sentence[at - own : at]), tuple(heard[place - other : place])),
-             own, other)
-            for own, other in STEPS
-            if at >= own and place >= other
-        ]  # fmt: skip
+        ways = []
+        for own, other in STEPS:
+            if at >= own and place >= other:
+                step = cost(tuple(sentence[at - own : at]), tuple(heard[place - other : place]))
+                ways.append((best[at - own, place - other][0] + step, own, other))
         if ways:
             best[at, place] = min(ways)
     found = []

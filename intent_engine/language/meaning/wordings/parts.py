@@ -51,6 +51,11 @@ def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[
 
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
+    merely = {amount.start - 1 for amount in amounts(said.words, language)}  # "go just two meters"
+
+    def begins(at: int) -> bool:
+        return not (_in_a_number(said, at, language) or (at in merely and said.words[at] in phrases.merely))
+
     start = 0
     while start < len(said):
         rest = said.words[start:]
@@ -58,11 +63,6 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
             yield start, start + joint, True
             start += joint
             continue
-        merely = {amount.start - 1 for amount in amounts(said.words, language)}  # "go just two meters"
-
-        def begins(at: int) -> bool:
-            return not (_in_a_number(said, at, language) or (at in merely and said.words[at] in phrases.merely))
-
         end = next_begins(said, start, phrases, begins)
         yield start, end, False
         start = end

@@ -30,11 +30,15 @@ class Permitted:
         for permits in (self._pleads,) if asks else (self._pleads, self._permits):
             for phrase, urging in permits.items():
                 length = len(phrase)
-                begun = tuple(core.words[:length]) == phrase and length < len(core) and not any(core.breaks[1 : length + 1])
+                begun = (
+                    tuple(core.words[:length]) == phrase and length < len(core) and not any(core.breaks[1 : length + 1])
+                )
                 if begun and urging.ends(said.words):
                     return core.part(length, len(core))
         return None
 
 
 def _urged(permits: Mapping[str, frozenset[str]]) -> dict[tuple[str, ...], PhraseSet]:
-    return {tuple(phrase.split()): PhraseSet(tuple(one.split()) for one in urging) for phrase, urging in permits.items()}
+    return {
+        tuple(phrase.split()): PhraseSet(tuple(one.split()) for one in urging) for phrase, urging in permits.items()
+    }

@@ -57,7 +57,9 @@ class Pointing:
             whole = self._wholes.at(words, start)
             end = start + whole + 1
             article = words[start + whole] if end < len(words) else ""
-            points = article in (self._all if whole else self._pointing) and not counts_one(words[end - 1], words[end], self._language)
+            points = article in (self._all if whole else self._pointing) and not counts_one(
+                words[end - 1], words[end], self._language
+            )
             if not points or any(core.breaks[start + 1 : end + 1]):
                 start += 1
                 continue
