@@ -80,7 +80,7 @@ class OtherWords:
             asks: whether it is written as a question, which asks whether, unless it begins with a verb or asks for a
                 thing: "could I get a tea?".
         """
-        if len(said) > _MOST_WORDS:
+        if not 0 < len(said) <= _MOST_WORDS:
             return None
         verbs = self._commands.verbs
         if not asks:

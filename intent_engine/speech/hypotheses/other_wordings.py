@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Sequence, Set
+from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
@@ -17,8 +18,13 @@ from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.wording import Wording
 from intent_engine.language.words.thing_words import thing_words
 
-__all__ = ["in_words_heard", "small_words"]
+if TYPE_CHECKING:
+    from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
+__all__ = ["OtherWordings", "in_its_place", "in_words_heard", "small_words"]
+
+BENEATH = 4
+"""Sentences that are looked at without the small words that were heard."""
 SMALL, ALONE, UNLIKE = 0.4, 0.8, 2.0
 """What it costs that a small word is another or missing, that another word is, and that a small one stands for another,
 where two others cost the share of their letters by which they differ."""
@@ -26,6 +32,54 @@ STEPS = ((1, 1), (1, 0), (0, 1), (2, 1), (1, 2))
 """How many words of both may belong together."""
 MOST_PLACES = 3
 """Places in which a sentence has other such words than were heard; who says it in more says something else."""
+
+
+class OtherWordings:
+    """Sentences of a grammar in other words than it has, for what may have been said.
+
+    Args:
+        grammar: whose sentences.
+    """
+
+    def __init__(self, grammar: SpokenGrammar) -> None:
+        self._grammar = grammar
+
+    def heard(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard but for small words, in those that were heard: "haul *that* rock"; and just
+        what was heard, where it is one in other words: "I want the lamp turned on"."""
+        beneath = self._grammar.without_small_words(words, language)
+        like = self._grammar.like(beneath, language)[:BENEATH] if len(beneath) < len(words) else []
+        found = [self._in_words(one, words, language) or one for one in like]
+        if self._in_other_words(words, language):
+            found.append(tuple(words))
+        return list(dict.fromkeys(found))
+
+    def own(self, words: tuple[str, ...], language: str | None = None) -> tuple[str, ...]:
+        """The sentence of the grammar that other words mean; the same where they are one, or none is."""
+        if self._grammar.has(words, language):
+            return words
+        own = self._grammar.in_own_words(words, language)
+        return own if own and self._grammar.has(own, language) else words
+
+    def beside(
+        self, sentence: tuple[str, ...], own: tuple[str, ...], words: tuple[str, ...], language: str | None = None
+    ) -> tuple[str, ...]:
+        """A sentence beside one of the grammar, in the other words in which this was said; itself, where there are no
+        such."""
+        put = self._in_words(sentence, words, language)
+        return put or in_its_place(sentence, own, words, lambda text: self._grammar.parse(text, language)) or sentence
+
+    def _in_words(self, sentence: Sequence[str], heard: Sequence[str], language: str | None) -> tuple[str, ...]:
+        small = self._grammar.small_words(language)
+        return in_words_heard(sentence, heard, small, lambda text: self._grammar.parse(text, language))
+
+    def _in_other_words(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether words are just one command of things that are listed, and the grammar has others for it."""
+        if not words or self.own(tuple(words), language) == tuple(words):
+            return False
+        meaning = self._grammar.parse(" ".join(words), language)
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and not meaning.stops
+        return exact and not self._grammar.unlisted(meaning, language)
 
 
 def small_words(wording: Wording, language: str) -> frozenset[str]:
@@ -68,6 +122,31 @@ def in_words_heard(
             if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and meaning.actions == meant:
                 return said
     return ()
+
+
+def in_its_place(
+    sentence: Sequence[str], own: Sequence[str], words: Sequence[str], parse: Callable[[str], Interpretation]
+) -> tuple[str, ...]:
+    """A sentence that differs from one in one place, put as this was said otherwise: of "turn the lamp off" beside
+    "turn the lamp on", said as "I want the lamp turned on", it is "I want the lamp turned off". Empty: there is none.
+
+    Args:
+        sentence: of a grammar.
+        own: another of it.
+        words: in which that was said.
+        parse: what a text means.
+    """
+    edits = [edit for edit in Levenshtein.opcodes(list(own), list(sentence)) if edit.tag != "equal"]
+    if len(edits) != 1 or edits[0].tag != "replace":
+        return ()
+    (edit,) = edits
+    old, new = list(own[edit.src_start : edit.src_end]), sentence[edit.dest_start : edit.dest_end]
+    places = [at for at in range(len(words) - len(old) + 1) if list(words[at : at + len(old)]) == old]
+    if len(places) != 1:
+        return ()
+    (at,) = places
+    put = (*words[:at], *new, *words[at + len(old) :])
+    return put if parse(" ".join(put)).actions == parse(" ".join(sentence)).actions else ()
 
 
 def _places(

@@ -21,7 +21,6 @@ from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
 from intent_engine.speech.hypotheses.opposing import opposing
-from intent_engine.speech.hypotheses.other_wordings import in_words_heard
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import WakeWords
@@ -36,8 +35,6 @@ CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
 SEARCHES = 64
 """Searches whose results are kept."""
-BENEATH = 4
-"""Those of them that are looked at without the small words that were heard."""
 OPENINGS = 4
 """Beginnings of commands in which something is dictated, that are looked up,"""
 LONGEST_OPENING = 5
@@ -125,38 +122,33 @@ class SpokenGrammar:
         """Sentences like the words heard, the likest first; then those that take something back, and those that would
         be one if their first words were a wake word."""
         return [
-            *self._like(tuple(heard), language, wider=True),
+            *self.like(tuple(heard), language, wider=True),
             *self._corrected(heard, language),
             *self.woken(heard, language),
         ]
 
-    def in_words_heard(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
-        """Sentences like the words heard but for small words, in those that were heard: "haul *that* rock"."""
-        return list(dict.fromkeys(self.put(one, heard, language) for one in self._beneath(heard, language)))
-
-    def put(self, sentence: Sequence[str], heard: Sequence[str], language: str | None = None) -> tuple[str, ...]:
-        """As :func:`~intent_engine.speech.hypotheses.other_wordings.in_words_heard`; the sentence itself where it has
-        no such words."""
-        small = self._known(language).small
-        return in_words_heard(sentence, heard, small, lambda text: self.parse(text, language)) or tuple(sentence)
-
-    def _beneath(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
-        """Sentences like the words heard, without small words that point or that the grammar has nowhere. None, if
-        there are none."""
-        known = self._known(language)
-        points = self.wording(language).points
-        own = tuple(word for word in heard if word not in (points if word in known.own else known.small))
-        return self._like(own, language)[:BENEATH] if len(own) < len(heard) else []
-
-    def as_it_has_it(self, words: tuple[str, ...], language: str | None = None) -> tuple[str, ...]:
-        """The sentence of the grammar that other words mean; the same where they are one, or none is."""
+    def has(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence of the grammar just as it has it."""
         state = self._known(language).matcher.spoken.walk(words)[1]
-        if state is not None and state.accepts:
-            return words
-        beneath = self._beneath(words, language)
-        return next((one for one in beneath if self.put(one, words, language) == words), words)
+        return state is not None and bool(state.accepts)
 
-    def _like(self, heard: tuple[str, ...], language: str | None, *, wider: bool = False) -> list[tuple[str, ...]]:
+    def in_own_words(self, words: Sequence[str], language: str | None = None) -> tuple[str, ...]:
+        """As :meth:`~intent_engine.engine.IntentEngine.in_own_words`."""
+        return self._engine.in_own_words(" ".join(words), language=self._own(language))
+
+    def without_small_words(self, words: Sequence[str], language: str | None = None) -> tuple[str, ...]:
+        """Words without those that point and the small ones that the grammar has nowhere."""
+        known, points = self._known(language), self.wording(language).points
+        return tuple(word for word in words if word not in (points if word in known.own else known.small))
+
+    def small_words(self, language: str | None = None) -> frozenset[str]:
+        """Words that people put anywhere: "that", "by", "over"."""
+        return self._known(language).small
+
+    def like(
+        self, heard: tuple[str, ...], language: str | None = None, *, wider: bool = False
+    ) -> list[tuple[str, ...]]:
+        """Sentences like some words, the likest first."""
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
         return [words for words, apart in self._nearest(heard, language, wider=wider) if apart <= most]
 
@@ -165,7 +157,7 @@ class SpokenGrammar:
         meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
         if corrections.find(meant, 1) is None:
             meant = no_between(meant, corrections, language)
-        like = corrected_like(meant, corrections, lambda words: self._like(words, language))
+        like = corrected_like(meant, corrections, lambda words: self.like(words, language))
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(

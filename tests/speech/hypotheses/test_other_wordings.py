@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from intent_engine.speech.hypotheses.other_wordings import small_words
+from intent_engine.speech.hypotheses.other_wordings import OtherWordings, small_words
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 TRUCK = """
@@ -25,8 +25,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def truck(engine_of) -> SpokenGrammar:
-    return SpokenGrammar(engine_of(TRUCK))
+def truck(engine_of) -> OtherWordings:
+    return OtherWordings(SpokenGrammar(engine_of(TRUCK)))
 
 
 @pytest.mark.parametrize(
@@ -38,39 +38,55 @@ def truck(engine_of) -> SpokenGrammar:
         ("swim to the left by ten degrees", "swing to the left by ten degrees"),
     ],
 )
-def test_a_misheard_command_keeps_the_small_words_heard(truck: SpokenGrammar, heard: str, said: str) -> None:
-    assert tuple(said.split()) in truck.in_words_heard(heard.split())
+def test_a_misheard_command_keeps_the_small_words_heard(truck: OtherWordings, heard: str, said: str) -> None:
+    assert tuple(said.split()) in truck.heard(heard.split())
 
 
-def test_what_it_means_is_what_the_grammar_has(truck: SpokenGrammar) -> None:
+def test_what_it_means_is_what_the_grammar_has(truck: OtherWordings) -> None:
     said = ("raise", "your", "bed", "up", "to", "fifty", "five", "degrees")
-    own = truck.as_it_has_it(said)
+    own = truck.own(said)
     assert own == ("raise", "the", "bed", "to", "fifty", "five", "degrees")
-    assert truck.parse(" ".join(own)).actions == truck.parse(" ".join(said)).actions
-    assert truck.as_it_has_it(own) == own
+    assert truck.own(own) == own
 
 
 @pytest.mark.parametrize(
-    ("sentence", "heard", "put"),
+    ("sentence", "own", "words", "put"),
     [
-        # Another number, in the words of the one that was taken for it.
-        ("raise the bed to ten degrees", "raise your bed up to fifty degrees", "raise your bed up to ten degrees"),
-        # Words with which it would be something else, or nothing, are not put in.
-        ("swing left ten degrees", "swing right by ten degrees", "swing left by ten degrees"),
-        ("raise the bed to ten degrees", "raise the bed or lift it to ten degrees", "raise the bed to ten degrees"),
-        # What is heard in the place of a number says nothing of it.
-        ("lift the mast to two meters", "shift a mask to meters", "lift a mast to two meters"),
+        # Another number, in the words in which the first was said.
+        ("raise the bed to fifteen degrees", "raise the bed to fifty degrees", "raise your bed up to fifty degrees",
+         "raise your bed up to fifteen degrees"),
+        ("haul iron ore to the crusher", "haul waste rock to the crusher",
+         "I want that waste rock hauled to the crusher", "I want that iron ore hauled to the crusher"),
+        # More than one place: in the small words.
+        ("swing left ten degrees", "swing right by thirty degrees", "swing right by thirty degrees",
+         "swing left by ten degrees"),
+        # Words with which it would be nothing are not put in.
+        ("raise the bed to ten degrees", "swing left ten degrees", "raise the bed or lift it to ten degrees",
+         "raise the bed to ten degrees"),
     ],
 )  # fmt: skip
-def test_one_sentence_in_the_words_of_another(truck: SpokenGrammar, sentence: str, heard: str, put: str) -> None:
-    assert truck.put(sentence.split(), heard.split()) == tuple(put.split())
+def test_one_sentence_in_the_words_of_another(
+    truck: OtherWordings, sentence: str, own: str, words: str, put: str
+) -> None:
+    assert truck.beside(*(tuple(one.lower().split()) for one in (sentence, own, words))) == tuple(put.lower().split())
 
 
-def test_a_sentence_without_such_words_is_heard_as_it_is(truck: SpokenGrammar) -> None:
-    assert truck.in_words_heard(["raise", "the", "bed", "to", "ten", "degrees"]) == []
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("i want that waste rock hauled to the crusher", True),
+        ("you can raise the bed to ten degrees now", True),
+        ("raise the bed to ten degrees", False),  # in its own words
+        ("i want that word taken", False),  # of no listed thing
+        ("i want that rock", False),
+        ("", False),
+    ],
+)
+def test_what_was_heard_may_be_a_command_in_other_words(truck: OtherWordings, words: str, said: bool) -> None:
+    assert (tuple(words.split()) in truck.heard(words.split())) is said
 
 
-def test_ways_are_no_small_words(truck: SpokenGrammar) -> None:
-    small = small_words(truck.wording(), "en")
+def test_ways_are_no_small_words(engine_of) -> None:
+    small = small_words(SpokenGrammar(engine_of(TRUCK)).wording(), "en")
     assert {"that", "by", "over", "height"} <= small
     assert {"left", "right", "forward", "north"}.isdisjoint(small)
