@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.interpretation import Interpretation
+from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.context.references import Before
 from intent_engine.language.context.understanding import Understanding
 from intent_engine.language.grammar import Grammar
@@ -215,6 +215,21 @@ class IntentEngine:
         witnesses = [Witness(parser) for parser in self._loaded.parsers(language)]
         found, witness = Understanding(witnesses, last, states_of(state), spoken, heard).of(text)
         return witness.explanation(found)
+
+    def in_own_words(self, text: str, *, state: Collection[str] = (), language: str | None = None) -> tuple[str, ...]:
+        """The words in which the grammar has the one command of a text that was heard: of "haul that rock over to the
+        dump" those of "haul the rock to the dump". Empty: it is none, or several.
+
+        Args:
+            text: what was heard.
+            state: as for :meth:`parse`.
+            language: of the grammar; None: the first.
+        """
+        _only_text("in_own_words", text)
+        found, parts = self._interpreter(language).understand(text, states_of(state), heard=True)
+        if found.status is not Status.ACCEPTED or len(parts) != 1 or parts[0].reading is None:
+            return ()
+        return tuple(parts[0].reading.words)
 
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
         """What is dictated in a text, with the words before it; None: nothing is."""

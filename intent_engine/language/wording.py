@@ -115,6 +115,8 @@ class Wording:
     """Words before how far something is to go, which may be left out: "turn left *by* thirty degrees"."""
     lasting: frozenset[str] = frozenset()
     """The same before how long something takes: "soak it *for* ten minutes"."""
+    coming: frozenset[str] = frozenset()
+    """What says no more between these with an article and how long: "for the *next* two hours"."""
     how_often: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """How often something is done in one word, each with the words for it: "twice", "two times"."""
     sizes: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -125,6 +127,18 @@ class Wording:
     """What ends an order without a verb: "lights *on*"."""
     wishes_for: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants a thing: "*could I get* a mojito"."""
+    wishes_done: tuple[tuple[str, ...], ...] = ()
+    """What somebody says who wants something done: "*I want* the beacon turned on","""
+    to_be: tuple[tuple[str, ...], ...] = ()
+    """and what may stand before the verb there: "*to be* turned on"."""
+    permits: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """How somebody tells what may be done, each with the fillers that make an order of it: "*you can* land *now*","""
+    pleads: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """and how he asks whether it may: "*can we* start, *please*?"."""
+    reasons: tuple[tuple[str, ...], ...] = ()
+    """How somebody begins to tell why, behind a command and a pause: "turn the lamp on, *it's getting* dark"."""
+    merely: frozenset[str] = frozenset()
+    """What says no more before so much: "go *just* two meters"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
     back_into: frozenset[str] = frozenset()

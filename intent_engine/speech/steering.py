@@ -276,6 +276,7 @@ class Steering(OtherCommands):
         like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
         if self.grammar.fits_pattern(words, language):
             like.append(tuple(words))
+        like += self.otherwise.heard(words, language)
         like += [sentence for sentence in heard.sentences if not begin_of(sentence)]
         if dictated:  # else each text that somebody may have dictated would be another command
             like = [sentence for sentence in like if not self.grammar.dictated(" ".join(sentence), language)]

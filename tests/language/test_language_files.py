@@ -73,8 +73,10 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
         "asking": "de es fr", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
-        "leads": "en es fr it", "wholes": "en", "up_to": "en", "sized": "de en", "levels": "en",
+        "wholes": "en", "up_to": "en", "sized": "de en", "levels": "en",
         "says_when": "en", "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
+        "wishes_done": "en", "to_be": "en", "permits": "en", "pleads": "en", "reasons": "en", "merely": "en",
+        "coming": "en",
         "particles": "en", "idle_particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them

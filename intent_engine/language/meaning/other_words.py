@@ -13,14 +13,17 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
 from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
+from intent_engine.language.meaning.wordings.named_first import NamedFirst
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.sides import Sides
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verbless import Verbless
+from intent_engine.language.meaning.wordings.wished_done import WishedDone
 from intent_engine.language.meaning.wordings.wished_things import WishedThings
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
@@ -63,7 +66,10 @@ class OtherWords:
         self._placed_first = PlacedFirst(grammar, phrases)
         self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
+        self._said_first = SaidFirst(grammar, phrases)
+        self._named_first = NamedFirst(grammar)
         self._wished = WishedThings(grammar)
+        self._wished_done = WishedDone(grammar, self._verbless)
 
     def told(self, said: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
         """The utterance with its commands as the grammar has them. None: it has none of them in other words, or one
@@ -75,23 +81,35 @@ class OtherWords:
             asks: whether it is written as a question, which asks whether, unless it begins with a verb or asks for a
                 thing: "could I get a tea?".
         """
-        if len(said) > _MOST_WORDS:
+        if not 0 < len(said) <= _MOST_WORDS:
             return None
-        switched = None if asks else self._one_of(self._verbless.ways(said, self._commands.verbs), said, state)
-        return switched or part_by_part(
-            said, self._phrases, self._language, lambda part: self._otherwise(part, state, asks=asks)
-        )
+        verbs = self._commands.verbs
+        if not asks:
+            switched = self._one_of(self._verbless.ways(said, verbs), said, state)
+            named_first = list(self._named_first.ways(said, verbs))
+            found = switched or self._one_of(self._ways(named_first), said, state)
+            if found is None and self._said_first.leads(said):  # "for the next hour, stay there"
+                found = self._one_of(self._ways([Rewording(said)]), said, state)
+            if found is not None:
+                return found
+        return part_by_part(said, self._phrases, self._language, partial(self._otherwise, said, state, asks=asks))
 
-    def _otherwise(self, part: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
+    def _otherwise(self, said: Utterance, state: Collection[str], part: Utterance, *, asks: bool) -> Utterance | None:
+        """One of the commands of what was said otherwise."""
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
+        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
-            return self._one_of(self._ways([Rewording(part)])[1:], part, state)
+            # As a whole it was tried with something in another place already.
+            ways = self._ways([Rewording(part)], placed=len(part) < len(said))[1:]
+            found = self._one_of(ways, part, state)
+            if found is not None or not wished:  # "get the pump switched off", of a grammar that gets things, too
+                return found
         if asks:
-            return self._one_of(self._wished.ways(part, verbs), part, state)
-        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or list(self._wished.ways(part, verbs))
-        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
+            return self._one_of(wished, part, state)
+        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished
+        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""
@@ -109,16 +127,17 @@ class OtherWords:
                     return placed
         return next(iter(found.values())) if len(found) == 1 else None
 
-    def _ways(self, found: list[Rewording]) -> list[Rewording]:
-        """Ways to put one command, and these in other words of one kind, or of several at once."""
+    def _ways(self, found: list[Rewording], *, placed: bool = False) -> list[Rewording]:
+        """Ways to put one command, and these in other words of one kind, or of several at once; the former also with
+        something in another place, if that is to be ``placed`` as well."""
         ways = [*found]
         for kind in self._kinds:
             for before in tuple(ways):
                 ways += [before.then(way) for way in islice(kind(before.said), max(0, _MOST_WAYS - len(ways)))]
-        placed: list[Rewording] = []
-        for before in sorted(ways[len(found) :], key=lambda way: len(way.said)):  # the plainest first
-            placed += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(placed))]
-        return [*ways, *placed]
+        moved: list[Rewording] = []
+        for before in sorted(ways[0 if placed else len(found) :], key=lambda way: len(way.said)):  # the plainest first
+            moved += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(moved))]
+        return [*ways, *moved]
 
     def _is_meant(self, way: Rewording, clause: Clause, said: Utterance) -> bool:
         """Whether a command that was found in other words is what was said."""
@@ -136,9 +155,11 @@ class OtherWords:
         return self._commands.matcher.prefix(words)[1] is not None
 
     def _placed(self, part: Utterance) -> Iterator[Rewording]:
-        rule = self._placed_first
-        for way, start, end in rule.ways(part, self._commands.verbs):
-            yield Rewording(way, partial(rule.means, start=start, end=end))
+        verbs = self._commands.verbs
+        for way, start, end in self._placed_first.ways(part, verbs):
+            yield Rewording(way, partial(self._placed_first.means, start=start, end=end))
+        for way, moved in self._said_first.verb_first(part, verbs):
+            yield Rewording(way, partial(self._said_first.means, moved=moved))
 
 
 def _keeps_free_words(said: Utterance, reading: Reading) -> bool:

@@ -36,6 +36,8 @@ class Phrases:
         names: Callable[[Sequence[str], str], bool] | None = None,
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
+        self._articles = thing_words(grammar.language).articles
+        self.merely = wording.merely
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
         counted = [words for words in grammar.counted if not own.issuperset(words)]
@@ -254,6 +256,10 @@ class Phrases:
     def goes_on(self, words: Sequence[str]) -> int:
         """How many words at the beginning only go on from what was said before: "and then", "but"."""
         return self._opening.after(words, 0)
+
+    def goes_on_at(self, words: Sequence[str], at: int) -> bool:
+        """Whether what only goes on stands at a place, and not how what follows is counted: "for the *next* hour"."""
+        return self.goes_on(words[at:]) > 0 and words[at - 1] not in self._articles
 
     def agreed(self, said: Utterance) -> int:
         """How many words at the beginning only agree with what was said before, or praise it, and stand before a pause:

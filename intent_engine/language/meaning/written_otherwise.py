@@ -24,8 +24,10 @@ from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
+from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
+from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
 from intent_engine.language.meaning.wordings.taken_up import TakenUp
@@ -101,6 +103,8 @@ class WrittenOtherwise:
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
+        self._permitted = Permitted(wording)
+        self._reasons = Reasons(wording, phrases, self._matcher.grammar.operators.closed)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
@@ -155,6 +159,8 @@ class WrittenOtherwise:
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
+        yield self._reasons.without(core, self._commands.verbs)
+        yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)
         yield self._told_as.told(core)

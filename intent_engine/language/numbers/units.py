@@ -46,7 +46,7 @@ _WORDS = frozenset((
     "half",
     "half_of_it", "halves", "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number",
     "of", "of_a_clock", "one", "ones_first",
-    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
+    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand", "two",
     "vague",
 ))  # fmt: skip
 """The lists of function words."""

@@ -11,9 +11,11 @@ from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.negations.doing import verbs
 from intent_engine.language.networks.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.reading import SlotReading
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.verb_forms import told_forms_of
 from intent_engine.speech.hypotheses.narration import narrating
+from intent_engine.speech.hypotheses.other_wordings import small_words
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written
 from intent_engine.speech.hypotheses.wake_words import WakeWords
@@ -50,6 +52,10 @@ class KnownGrammar:
     """What says nothing: "please","""
     leading: PhraseSet
     """also at the beginning: "and then"."""
+    small: frozenset[str]
+    """Words that people put anywhere: "that", "by", "over","""
+    own: frozenset[str]
+    """and those in which sentences are written."""
     in_slots: frozenset[str]
     as_written: Mapping[str, str]
     search: UtteranceSearch
@@ -80,6 +86,8 @@ class KnownGrammar:
             wake=WakeWords(grammar),
             empty=PhraseSet((*grammar.fillers, *grammar.around)),
             leading=PhraseSet((*grammar.fillers, *operators.opening)),
+            small=small_words(grammar.wording, grammar.language),
+            own=frozenset(vocabulary(grammar)),
             in_slots=known_in_slots(matcher),
             as_written=words_as_written(matcher),
             search=UtteranceSearch(matcher.likely, words),

@@ -12,6 +12,7 @@ from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.guide import Guide
 from intent_engine.speech.hypotheses.left_out import goes_on
 from intent_engine.speech.hypotheses.opinion import Opinion
+from intent_engine.speech.hypotheses.other_wordings import OtherWordings
 from intent_engine.speech.hypotheses.pace import too_many
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Encoded
@@ -35,6 +36,7 @@ class OtherCommands(Clearness):
     def know(self, engine: IntentEngine) -> None:
         """The grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
+        self.otherwise = OtherWordings(self.grammar)
         self._guides: dict[str | None, Guide] = {}
         self._besides: tuple[Encoded | None, dict[tuple[tuple[str, ...], bool], tuple[tuple[str, ...], ...]]] = (
             None,
@@ -128,8 +130,12 @@ class OtherCommands(Clearness):
         far: bool,
     ) -> dict[tuple[str, ...], str]:
         """Of the sentences beside one those that are wanted, as :meth:`_rivals` gives them."""
-        rows = self._along(encoded, words, language, widely=widely)
-        beside = self.guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
+        own = self.otherwise.own(tuple(words), language)
+        rows = self._along(encoded, own, language, widely=widely)
+        beside = self.guide(language).rivals.beside(own, rows, near, widely=widely, far=far)
+        if own != tuple(words):
+            put = ((self.otherwise.beside(one, own, tuple(words), language), word) for one, word in beside.items())
+            beside = dict(put)
         return {one: beside[one] for one in itertools.islice(filter(wanted, beside), MOST_RIVALS)}
 
     def close_to(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:

@@ -122,12 +122,33 @@ class SpokenGrammar:
         """Sentences like the words heard, the likest first; then those that take something back, and those that would
         be one if their first words were a wake word."""
         return [
-            *self._like(tuple(heard), language, wider=True),
+            *self.like(tuple(heard), language, wider=True),
             *self._corrected(heard, language),
             *self.woken(heard, language),
         ]
 
-    def _like(self, heard: tuple[str, ...], language: str | None, *, wider: bool = False) -> list[tuple[str, ...]]:
+    def has(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence of the grammar just as it has it."""
+        state = self._known(language).matcher.spoken.walk(words)[1]
+        return state is not None and bool(state.accepts)
+
+    def in_own_words(self, words: Sequence[str], language: str | None = None) -> tuple[str, ...]:
+        """As :meth:`~intent_engine.engine.IntentEngine.in_own_words`."""
+        return self._engine.in_own_words(" ".join(words), language=self._own(language))
+
+    def without_small_words(self, words: Sequence[str], language: str | None = None) -> tuple[str, ...]:
+        """Words without those that point and the small ones that the grammar has nowhere."""
+        known, points = self._known(language), self.wording(language).points
+        return tuple(word for word in words if word not in (points if word in known.own else known.small))
+
+    def small_words(self, language: str | None = None) -> frozenset[str]:
+        """Words that people put anywhere: "that", "by", "over"."""
+        return self._known(language).small
+
+    def like(
+        self, heard: tuple[str, ...], language: str | None = None, *, wider: bool = False
+    ) -> list[tuple[str, ...]]:
+        """Sentences like some words, the likest first."""
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
         return [words for words, apart in self._nearest(heard, language, wider=wider) if apart <= most]
 
@@ -136,7 +157,7 @@ class SpokenGrammar:
         meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
         if corrections.find(meant, 1) is None:
             meant = no_between(meant, corrections, language)
-        like = corrected_like(meant, corrections, lambda words: self._like(words, language))
+        like = corrected_like(meant, corrections, lambda words: self.like(words, language))
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(

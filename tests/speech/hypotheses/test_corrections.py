@@ -95,7 +95,7 @@ WORDS = st.lists(st.sampled_from(VOCABULARY), max_size=9)
 
 @given(WORDS)
 def test_what_is_found_is_understood_as_a_correction(engine, grammar, heard):
-    usual = set(grammar._like(tuple(heard), "en", wider=True))
+    usual = set(grammar.like(tuple(heard), "en", wider=True))
     for words in set(grammar.near(heard, "en")) - usual:
         meaning = engine.parse(" ".join(words))
         assert meaning.corrected

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
@@ -48,11 +49,15 @@ class LedAmounts:
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """Without a word, with one more, and with another."""
+        begin = {amount.start for amount in amounts(core.words, self._language)}
         for at in range(1, len(core)):
             if not core.breaks[at]:
                 yield from self._left_out(core, at)
-                yield from self._put_in(core, at)
+                yield from self._put_in(core, at, counts=at in begin)
                 yield from self._exchanged(core, at)
+            if core.words[at] in self._wording.merely and at + 1 in begin and core.breaks[at] is not None:
+                without = Rewording(core.with_other(at, at + 1, _NOTHING))
+                yield Rewording(without.said, _Begins([core.words[at + 1]], _AMOUNTS, free=False))
 
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording
@@ -67,6 +72,8 @@ class LedAmounts:
             yield Rewording(without.said, _Begins([after], kinds))
         if (words[at - 1], word) in self._in_two and is_number(after, self._language):  # "a il venti per cento"
             yield Rewording(without.said, _Begins([after], {"percent"}))
+        if word in self._articles and after in wording.coming and words[at - 1] in wording.lasting:
+            yield from self._without_coming(core, at)
         about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
         up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
         if about or up_to:
@@ -74,6 +81,13 @@ class LedAmounts:
         sizes = wording.sizes.get(words[at + 2], ()) if at + 3 < len(words) else ()
         if word in self._articles and after in sizes and not any(core.breaks[at + 2 : at + 4]):
             yield Rewording(core.with_other(at, at + 3, _NOTHING), _Begins([words[at + 3]], _AMOUNTS))
+
+    def _without_coming(self, core: Utterance, at: int) -> Iterator[Rewording]:
+        """ "For *the next* two hours", and "for *the next* hour", which is one."""
+        first = core.words[at + 2] if at + 2 < len(core) else ""
+        one = [] if is_number(first, self._language) or first not in self._times else ["one"]
+        said = core.with_other(at, at + 2, Utterance.in_one_breath(one))
+        yield Rewording(said, _Begins([*one, first], _LASTS))
 
     def _goes(self, verb: str, way: str) -> bool:
         """Whether a verb goes that way anyhow. "Raise the boom *down* to a meter" says two things, and "turn the volume
@@ -83,21 +97,16 @@ class LedAmounts:
         idle = self._wording.idle_particles.get(verb, frozenset[str]()) & ways
         return way in idle if idle else not own
 
-    def _put_in(self, core: Utterance, at: int) -> Iterator[Rewording]:
+    def _put_in(self, core: Utterance, at: int, *, counts: bool) -> Iterator[Rewording]:
         words = core.words
+        led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
         for leads, kinds in ((self._by_own, _CHANGES), (self._lasting_own, _LASTS)):
-            for lead in leads if self._may_begin(words, at) else ():  # "turn thirty degrees", of "turn by {angle}"
+            for lead in leads if counts and not led else ():  # "turn thirty degrees", of "turn by {angle}"
                 said = core.with_other(at, at, Utterance.in_one_breath([lead]))
                 yield Rewording(said, _Begins([words[at]], kinds, free=False))
         if words[at - 1] in self._measures and words[at] not in self._of_own:
             for of in self._of_own:  # "twenty milliliters lime juice"
                 yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
-
-    def _may_begin(self, words: list[str], at: int) -> bool:
-        """Whether a number may begin at a place."""
-        counts = is_number(words[at], self._language) and not is_number(words[at - 1], self._language)
-        led = words[at - 1] in self._wording.led_by or words[at - 1] in self._wording.lasting
-        return (counts or words[at] in self._articles) and not led
 
     def _exchanged(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words = core.words

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.numbers.units import units
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -45,11 +46,16 @@ def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[
         may_be: whether it may be at a place.
     """
     later = filter(may_be, range(start + 1, len(said)))
-    return next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
+    return next((at for at in later if said.breaks[at] or phrases.goes_on_at(said.words, at)), len(said))
 
 
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
+    merely = {amount.start - 1 for amount in amounts(said.words, language)}  # "go just two meters"
+
+    def begins(at: int) -> bool:
+        return not (in_a_number(said, at, language) or (at in merely and said.words[at] in phrases.merely))
+
     start = 0
     while start < len(said):
         rest = said.words[start:]
@@ -57,7 +63,7 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
             yield start, start + joint, True
             start += joint
             continue
-        end = next_begins(said, start, phrases, lambda at: not in_a_number(said, at, language))
+        end = next_begins(said, start, phrases, begins)
         yield start, end, False
         start = end
 

@@ -8,6 +8,8 @@ from collections.abc import Iterator, Set
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.counted import amounts
+from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -36,33 +38,46 @@ class PlacedFirst:
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles
         self._language = grammar.language
+        table = units(grammar.language)
+        self._parts = table.parts_of_one if table is not None else frozenset[str]()
         self._phrases = phrases
+        self._sides = {way for said in grammar.wording.sides for way in said.split("/") if " " not in way} - self._leads
 
     def ways(self, core: Utterance, verbs: Set[str]) -> Iterator[tuple[Utterance, int, int]]:
         """Ways to say one command with such words later, each with where they stand then."""
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
-        places = (place for place in range(1, len(words)) if core.breaks[place] is None)
-        if any(is_number(words[place], self._language) for place in places):
+        anew = (place for place in range(1, len(words)) if core.breaks[place] is None)
+        if any(is_number(words[place], self._language) for place in anew):
             return  # "five feet, uh, five forward": it may have been said anew
+        within = {at for amount in amounts(words, self._language) for at in amount[1:]}
+        joins = [at not in within for at in range(len(words))]  # the "and" of "a hundred and twenty" does not
         for begin in range(1, len(words) - 1):
+            if begin in within:
+                continue
             for end in self._ends(words, begin):
+                if end in within:
+                    continue
                 if words[begin] not in self._articles and not verbs.isdisjoint(words[begin:end]):
                     continue  # "step one turn left" may be "step one: turn left", but "a quarter turn" is none
                 numbers = all(is_number(word, self._language) for word in words[end - 1 : end + 1])
-                if numbers or self._phrases.sequence.find([*words[:begin], *words[end:]]) is not None:
+                others = [word for at, word in enumerate(words) if joins[at] and not begin <= at < end]
+                if numbers or self._phrases.sequence.find(others) is not None:
                     continue  # "with 3 5" may be with 35
-                for place in range(end + 1, len(words) + 1) if begin == 1 else (len(words),):
+                places = range(end + 1, len(words) + 1) if begin == 1 else (len(words),)
+                for place in (place for place in places if place not in within):
                     told = [*words[:begin], *words[end:place], *words[begin:end], *words[place:]]
                     start = begin + place - end
                     yield Utterance.in_one_breath(told), start, start + end - begin
 
     def _ends(self, words: list[str], begin: int) -> range:
-        """Where what begins at a place may end; further behind the verb it begins with a preposition or a number."""
+        """Where what begins at a place may end; further behind the verb it begins with a preposition or a number, or is
+        a way."""
         lead = self._placed.at(words, begin) or (words[begin] in self._leads)
-        counts = is_number(words[begin], self._language) or words[begin] in self._articles  # "a quarter turn"
-        if not (lead or counts or begin == 1):
+        counts = words[begin] in self._articles or words[begin] in self._parts  # "a quarter turn", "half a meter"
+        counts = counts or is_number(words[begin], self._language)
+        if not (lead or counts or begin == 1 or words[begin] in self._sides):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2
         return range(begin + 1 + lead, min(len(words), most))
@@ -74,7 +89,8 @@ class PlacedFirst:
         if len(within) != 1 or not (within[0].end == end or counted) or within[0].start < start:
             return False
         led = within[0].start > start
-        if not led and reading.words[start - 1] in self._leading:
+        said_before = any(slot.end == start and slot.slot.type == "choice" for slot in reading.slots)  # "move it up"
+        if not led and not said_before and reading.words[start - 1] in self._leading:
             return False  # "turn left to" leads to what was not said
         placed = self._placed.at(list(reading.words), start) > 0
         if not placed and any(slot.slot.type in FREE_KINDS for slot in reading.slots):

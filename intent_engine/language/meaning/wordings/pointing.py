@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.wordings.counted import counts_one
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
-from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -57,19 +57,14 @@ class Pointing:
             whole = self._wholes.at(words, start)
             end = start + whole + 1
             article = words[start + whole] if end < len(words) else ""
-            points = article in (self._all if whole else self._pointing) and not self._counts(words[end - 1 : end + 1])
+            points = article in (self._all if whole else self._pointing) and not counts_one(
+                words[end - 1], words[end], self._language
+            )
             if not points or any(core.breaks[start + 1 : end + 1]):
                 start += 1
                 continue
             yield start, end
             start = end
-
-    def _counts(self, words: Sequence[str]) -> bool:
-        """Whether words begin an amount: "a quarter turn", "a meter"."""
-        article, after = words
-        if self._units is None or article not in self._units.words["one"]:
-            return False
-        return after in self._units.parts_of_one or (after,) in self._units.names or is_number(after, self._language)
 
     def _points_to_nothing_free(self, reading: Reading) -> bool:
         """Whether none of it stands before any words that are free: "pick your battles" is about no thing."""

@@ -32,10 +32,14 @@ class SaidFirst:
         self._language = grammar.language
         self._phrases = phrases
 
+    def leads(self, core: Utterance) -> bool:
+        """Whether it begins with a preposition of how something is done."""
+        return core.words[0] in self._leads
+
     def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
         """Ways to say one command with its verb first, each with the places where the words stand that came before."""
         words = core.words
-        led = words[0] in self._leads
+        led = self.leads(core)
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
             return
         for place in range(1 + led, min(len(words), _MOST + 1)):

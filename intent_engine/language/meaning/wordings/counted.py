@@ -1,0 +1,75 @@
+"""Where amounts stand among words, so that none is taken apart: "two and a half hours", "a couple of degrees"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from intent_engine.language.numbers.units import LONGEST, Units, units
+from intent_engine.language.slots.adjacent_numbers import is_number
+
+__all__ = ["amounts", "counts_one"]
+
+
+def counts_one(article: str, after: str, language: str) -> bool:
+    """Whether an article with the word after it begins an amount: "*a* quarter turn", "*a* meter", "*a* couple of"."""
+    table = units(language)
+    if table is None or article not in table.words["one"]:
+        return False
+    return after in _parts(table) or (after,) in table.names or is_number(after, language)
+
+
+def amounts(words: Sequence[str], language: str) -> list[range]:
+    """The places of the words of each number with its unit, if it has one, as far as it can be told without what is
+    counted."""
+    table = units(language)
+    found: list[range] = []
+    at = 0
+    while at < len(words):
+        end = _number_end(words, at, language, table)
+        if end > at and table is not None:
+            end = _unit_end(words, end, table)
+        if end > at:
+            found.append(range(at, end))
+        at = max(end, at + 1)
+    return found
+
+
+def _number_end(words: Sequence[str], at: int, language: str, table: Units | None) -> int:
+    """Where the number ends that begins at a place; there, if none does."""
+    end, joins, parts = at, _joining(table), _parts(table)
+    while end < len(words):
+        after, next_after, *_ = (*words[end + 1 : end + 3], "", "")
+        goes_on = end == at or words[end - 1] in joins or words[end - 1] in parts  # "lift three a meter" has two
+        counted = _counts(words[end], language, table) or (goes_on and counts_one(words[end], after, language))
+        joined = end > at and words[end] in joins
+        one_more = _counts(after, language, table) or counts_one(after, next_after, language)
+        if not (counted or (joined and one_more)):
+            break
+        end += 1
+    return end
+
+
+def _counts(word: str, language: str, table: Units | None) -> bool:
+    article = table is not None and word in table.words["one"]  # "ein" is a number, too
+    return word in _parts(table) or (not article and is_number(word, language))
+
+
+def _parts(table: Units | None) -> frozenset[str]:
+    """Words that count behind an article: "half", "couple"."""
+    return table.parts_of_one | table.words.get("two", frozenset()) if table is not None else frozenset()
+
+
+def _joining(table: Units | None) -> frozenset[str]:
+    """Words within a number: "two *and* a half", "two *point* five"."""
+    return table.words["and"] | table.words.get("point", frozenset()) if table is not None else frozenset()
+
+
+def _unit_end(words: Sequence[str], at: int, table: Units) -> int:
+    """Where the unit ends that stands behind a number, with a part of one behind that: "an hour and a half"."""
+    at += at < len(words) - 1 and words[at] in table.words["of"]  # "a couple of degrees"
+    most = min(LONGEST, len(words) - at)
+    length = next((some for some in range(most, 0, -1) if tuple(words[at : at + some]) in table.names), 0)
+    end = at + length
+    joined, one, part = (*words[end : end + 3], "", "", "")[:3]
+    more = joined in table.words["and"] and one in table.words["one"] and part in table.parts_of_one
+    return end + 3 if length and more else end

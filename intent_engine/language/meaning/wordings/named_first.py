@@ -1,0 +1,42 @@
+"""A thing that is named first, and taken up by a pronoun: "drawer one, unlock it" is "unlock drawer one"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+
+__all__ = ["NamedFirst"]
+
+_MOST = 5
+"""Words of the thing."""
+
+
+class NamedFirst:
+    """Reads it with the thing in the place of the pronoun."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        # Languages in which it agrees with the article have more of it, in "taken_up".
+        self._pronouns = PhraseSet(() if grammar.wording.taken_up else grammar.operators.pronoun)
+
+    def ways(self, said: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """The one way, where a pause is behind the thing, and a verb behind that."""
+        pause = next((at for at in range(1, len(said)) if said.breaks[at]), 0)
+        if not 0 < pause <= _MOST or any(said.breaks[pause + 1 :]) or said.words[pause] not in verbs:
+            return
+        thing, order = said.words[:pause], said.words[pause:]
+        found = self._pronouns.find(order, 1)
+        if found is None or any(word in verbs for word in thing) or self._pronouns.at(thing, 0) == len(thing):
+            return
+        at, length = found
+        if self._pronouns.find(order, at + length) is None:
+            yield Rewording(Utterance.in_one_breath([*order[:at], *thing, *order[at + length :]]), _is_listed)
+
+
+def _is_listed(reading: Reading) -> bool:
+    """Whether it is a thing that a grammar knows, and not anybody who is spoken to: "Anna, take it"."""
+    return not reading.free_words

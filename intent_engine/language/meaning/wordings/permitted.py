@@ -1,0 +1,44 @@
+"""What somebody tells or asks may be done, and means as an order: "you can land now", "can we start, please?"."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.wording import Wording
+from intent_engine.language.words.phrase_set import PhraseSet
+
+__all__ = ["Permitted"]
+
+
+class Permitted:
+    """Reads it without what permits it, if a filler makes an order of it: "you can turn left" may tell anybody how a
+    road goes on."""
+
+    def __init__(self, wording: Wording) -> None:
+        self._permits = _urged(wording.permits)
+        self._pleads = _urged(wording.pleads)
+
+    def ordered(self, core: Utterance, said: Utterance, *, asks: bool) -> Utterance | None:
+        """The order; None: it is none.
+
+        Args:
+            core: the words, without those that say nothing.
+            said: all of them.
+            asks: whether they are written as a question.
+        """
+        for permits in (self._pleads,) if asks else (self._pleads, self._permits):
+            for phrase, urging in permits.items():
+                length = len(phrase)
+                begun = (
+                    tuple(core.words[:length]) == phrase and length < len(core) and not any(core.breaks[1 : length + 1])
+                )
+                if begun and urging.ends(said.words):
+                    return core.part(length, len(core))
+        return None
+
+
+def _urged(permits: Mapping[str, frozenset[str]]) -> dict[tuple[str, ...], PhraseSet]:
+    return {
+        tuple(phrase.split()): PhraseSet(tuple(one.split()) for one in urging) for phrase, urging in permits.items()
+    }
