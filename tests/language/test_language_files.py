@@ -65,18 +65,19 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "parts": "de es fr it",  # English counts with ordinals
     },
     "operators": {
-        "adds": "en", "agrees": "en", "asked": "de", "behind_verb": "de", "compares": "en es fr it",
+        "adds": "en", "agrees": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
         "denying": "fr", "formal": "de es fr it", "before_verb": "de es fr it", "forbidding": "en es fr it",
         "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de es fr it",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
-        "asking": "de es fr", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
+        "asking": "de es fr it", "kindly": "de es fr it", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "wholes": "en", "up_to": "en", "sized": "de en", "levels": "en",
-        "says_when": "en", "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
+        "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "en", "pleads": "en", "reasons": "en", "merely": "en",
-        "coming": "en",
+        "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "vaguely": "de es fr it",
+        "urges": "es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
         "particles": "en", "idle_particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
