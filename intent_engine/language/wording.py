@@ -137,8 +137,8 @@ class Wording:
     """and how he asks whether it may: "*can we* start, *please*?"."""
     reasons: tuple[tuple[str, ...], ...] = ()
     """How somebody begins to tell why, behind a command and a pause: "turn the lamp on, *it's getting* dark"."""
-    merely: frozenset[str] = frozenset()
-    """What says no more before so much: "go *just* two meters"."""
+    merely: tuple[tuple[str, ...], ...] = ()
+    """What says no more before so much: "go *just* two meters", "to, *let's say*, two"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
     back_into: frozenset[str] = frozenset()

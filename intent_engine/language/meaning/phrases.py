@@ -37,7 +37,8 @@ class Phrases:
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         self._articles = thing_words(grammar.language).articles
-        self.merely = wording.merely
+        self.merely = PhraseSet(wording.merely)
+        """What says no more before so much, in whatever pauses."""
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
         counted = [words for words in grammar.counted if not own.issuperset(words)]

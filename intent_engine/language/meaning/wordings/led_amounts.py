@@ -12,6 +12,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["LedAmounts"]
@@ -40,6 +41,7 @@ class LedAmounts:
         self._own = own
         self._contracted = {one: to for one, (to, _) in known.contracted.items() if to in own}
         self._in_two = set(known.contracted.values())
+        self._merely = PhraseSet(wording.merely)
         self._by_own = sorted(wording.led_by & own)
         self._lasting_own = sorted(wording.lasting & own)
         self._of_own = sorted(wording.sizes.keys() & own)
@@ -55,9 +57,10 @@ class LedAmounts:
                 yield from self._left_out(core, at)
                 yield from self._put_in(core, at, counts=at in begin)
                 yield from self._exchanged(core, at)
-            if core.words[at] in self._wording.merely and at + 1 in begin and core.breaks[at] is not None:
-                without = Rewording(core.with_other(at, at + 1, _NOTHING))
-                yield Rewording(without.said, _Begins([core.words[at + 1]], _AMOUNTS, free=False))
+            if at in begin and (length := self._merely.ends(core.words[:at])) and length < at:
+                breaks = [*core.breaks[: at - length], False, *core.breaks[at + 1 :]]
+                without = Utterance([*core.words[: at - length], *core.words[at:]], breaks)
+                yield Rewording(without, _Begins([core.words[at]], _AMOUNTS, free=False))
 
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording

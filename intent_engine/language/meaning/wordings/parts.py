@@ -51,10 +51,15 @@ def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[
 
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
-    merely = {amount.start - 1 for amount in amounts(said.words, language)}  # "go just two meters"
+    merely = {  # "go just two meters", "to, say, two meters"
+        at
+        for amount in amounts(said.words, language)
+        if (length := phrases.merely.ends(said.words[: amount.start]))
+        for at in range(amount.start - length, amount.start + 1)
+    }
 
     def begins(at: int) -> bool:
-        return not (in_a_number(said, at, language) or (at in merely and said.words[at] in phrases.merely))
+        return not (in_a_number(said, at, language) or at in merely)
 
     start = 0
     while start < len(said):
