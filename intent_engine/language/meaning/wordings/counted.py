@@ -70,6 +70,9 @@ def _unit_end(words: Sequence[str], at: int, table: Units) -> int:
     most = min(LONGEST, len(words) - at)
     length = next((some for some in range(most, 0, -1) if tuple(words[at : at + some]) in table.names), 0)
     end = at + length
+    per, time = (*words[end : end + 2], "", "")[:2]
+    if length and per in table.words["per"] and (time,) in table.names:
+        return end + 2  # "a meter per second"
     joined, one, part = (*words[end : end + 3], "", "", "")[:3]
     more = joined in table.words["and"] and one in table.words["one"] and part in table.parts_of_one
     return end + 3 if length and more else end

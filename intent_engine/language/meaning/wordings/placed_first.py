@@ -51,8 +51,13 @@ class PlacedFirst:
         anew = (place for place in range(1, len(words)) if core.breaks[place] is None)
         if any(is_number(words[place], self._language) for place in anew):
             return  # "five feet, uh, five forward": it may have been said anew
-        within = {at for amount in amounts(words, self._language) for at in amount[1:]}
-        joins = [at not in within for at in range(len(words))]  # the "and" of "a hundred and twenty" does not
+        counted = amounts(words, self._language)
+        within = {at for amount in counted for at in amount[1:]}
+        # The "and" of "a hundred and twenty" does not. That of "four meters and half a meter per second" may have been
+        # an "at".
+        begins = {amount.start for amount in counted}
+        apart = {at for amount in counted if amount.stop not in begins for at in amount[1:]}
+        joins = [at not in apart for at in range(len(words))]
         for begin in range(1, len(words) - 1):
             if begin in within:
                 continue
