@@ -101,7 +101,9 @@ class LocationMap(Mapping[str, Location]):
 
     def index_in(self, language: str) -> NameIndex:
         """For names that are only nearly said, in a language."""
-        return self._indexes.setdefault(language, NameIndex(self._spoken(), language))
+        if language not in self._indexes:
+            self._indexes[language] = NameIndex(self._spoken(), language)
+        return self._indexes[language]
 
     @cached_property
     def _indexes(self) -> dict[str, NameIndex]:

@@ -100,6 +100,10 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
+    def cut(self, start: int, end: int) -> Utterance:
+        """The utterance without some of its words; what was said before and behind keeps its pauses."""
+        return Utterance(self.words[:start] + self.words[end:], self.breaks[:start] + self.breaks[end:])
+
     def with_other(self, start: int, end: int, other: Utterance) -> Utterance:
         """The utterance with other words in the place of some of it; what was said before and behind keeps its pauses,
         and so do the other words between themselves."""

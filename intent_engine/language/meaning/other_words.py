@@ -59,7 +59,7 @@ class OtherWords:
         self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
-            LedAmounts(grammar, own).ways,
+            LedAmounts(grammar, own, phrases).ways,
             Sides(grammar, own).ways,
         )
         self._particles = Particles(commands, phrases)

@@ -18,7 +18,7 @@ def without_of(said: Utterance, language: str) -> Utterance | None:
     none."""
     other = said
     for place in reversed(_places(said, language)):
-        other = other.with_other(place, place + 1, Utterance([], []))
+        other = other.cut(place, place + 1)
     return other if other.words != said.words else None
 
 

@@ -25,7 +25,7 @@ def as_told(denied: Utterance, grammar: Grammar) -> Iterator[Utterance]:
     ways = [denied]
     completes = (at for at, word in enumerate(denied.words[: _MOST_BETWEEN + 1]) if word in grammar.wording.denying)
     if (at := next(completes, None)) is not None:
-        ways.insert(0, denied.with_other(at, at + 1, Utterance([], [])))
+        ways.insert(0, denied.cut(at, at + 1))
     for way in ways:
         yield way
         for length, verb in verbs_told(way.words, grammar):

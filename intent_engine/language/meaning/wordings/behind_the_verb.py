@@ -17,7 +17,6 @@ _MOST_BETWEEN = 2
 """Words of the verb itself before them: "drehen *Sie sich* dann"."""
 _LEAST_BEHIND = 2
 """Words behind whom something is done for: "fahr mir vor" says where."""
-_NOTHING = Utterance([], [])
 
 
 class BehindTheVerb:
@@ -67,7 +66,7 @@ class BehindTheVerb:
             if self._gives and not (core.words[at - 1] in self._gives and self._begins_thing(core.words[at + 1])):
                 continue
             if self._matcher.prefix(core.words[verb : at + 1])[1] is None:
-                said = said.with_other(at, at + 1, _NOTHING)
+                said = said.cut(at, at + 1)
         return said if said.words != core.words else None
 
     def _begins_thing(self, word: str) -> bool:
@@ -84,7 +83,7 @@ class BehindTheVerb:
             return None
         ((at, one),) = found
         behind = any(word in verbs for word in core.words[:at]) and not core.breaks[at]
-        return core.with_other(at, at + len(one), _NOTHING) if behind else None
+        return core.cut(at, at + len(one)) if behind else None
 
     def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where a command may begin, and where its verb stands."""
@@ -113,7 +112,7 @@ class BehindTheVerb:
             if end == len(said) or any(said.breaks[verb + 1 : end + 1]) or not joins or self._adverb_at(said, end):
                 return said
             adverb = Utterance([*said.words[at:end], said.words[verb]], [False] * (length + 1))
-            return said.with_other(at, end, _NOTHING).with_other(verb, verb + 1, adverb)
+            return said.cut(at, end).with_other(verb, verb + 1, adverb)
         return said
 
     def _adverb_at(self, said: Utterance, at: int) -> list[int]:

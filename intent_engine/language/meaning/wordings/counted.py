@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from intent_engine.language.numbers.units import LONGEST, Units, units
 from intent_engine.language.slots.adjacent_numbers import is_number
 
-__all__ = ["amounts", "counts_one"]
+__all__ = ["amounts", "counts_one", "in_an_amount"]
 
 
 def counts_one(article: str, after: str, language: str) -> bool:
@@ -26,12 +26,17 @@ def amounts(words: Sequence[str], language: str) -> list[range]:
     at = 0
     while at < len(words):
         end = _number_end(words, at, language, table)
-        if end > at and table is not None:
+        if table is not None and (end > at or _has_a_part(words, at, table)):
             end = _unit_end(words, end, table)
         if end > at:
             found.append(range(at, end))
         at = max(end, at + 1)
     return found
+
+
+def in_an_amount(words: Sequence[str], language: str) -> set[int]:
+    """The places of words that stand within an amount, and do not begin it: "one *and a half*"."""
+    return {at for amount in amounts(words, language) for at in amount[1:]}
 
 
 def _number_end(words: Sequence[str], at: int, language: str, table: Units | None) -> int:
@@ -64,6 +69,12 @@ def _joining(table: Units | None) -> frozenset[str]:
     return table.words["and"] | table.words.get("point", frozenset()) if table is not None else frozenset()
 
 
+def _has_a_part(words: Sequence[str], at: int, table: Units) -> bool:
+    """Whether one unit, of which no number is said, and a part of one stand at a place: "hora y media"."""
+    joined, *after = (*words[at + 1 : at + 4], "")
+    return (words[at],) in table.names and joined in table.words["and"] and not table.parts_of_one.isdisjoint(after[:2])
+
+
 def _unit_end(words: Sequence[str], at: int, table: Units) -> int:
     """Where the unit ends that stands behind a number, with a part of one behind that: "an hour and a half"."""
     at += at < len(words) - 1 and words[at] in table.words["of"]  # "a couple of degrees"
@@ -74,5 +85,8 @@ def _unit_end(words: Sequence[str], at: int, table: Units) -> int:
     if length and per in table.words["per"] and (time,) in table.names:
         return end + 2  # "a meter per second"
     joined, one, part = (*words[end : end + 3], "", "", "")[:3]
-    more = joined in table.words["and"] and one in table.words["one"] and part in table.parts_of_one
-    return end + 3 if length and more else end
+    if not length or joined not in table.words["and"]:
+        return end
+    if one in table.parts_of_one and part not in table.words["one"]:
+        return end + 2  # "hora y media", but not of "meters and half a meter"
+    return end + 3 if one in table.words["one"] and part in table.parts_of_one else end

@@ -14,8 +14,6 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["ForWhomAsked"]
 
-_NOTHING = Utterance([], [])
-
 
 class ForWhomAsked:
     """Reads such an order as it is told that says for nobody, its verb as it was said.
@@ -60,7 +58,7 @@ class ForWhomAsked:
                 continue
             if words[place] in self._before and len(rest) > 1 and is_verb(rest[0]):
                 if begins_thing(rest[1:], self._grammar):
-                    said = said.with_other(place, place + 1, _NOTHING)
+                    said = said.cut(place, place + 1)
             elif rest and (verb := self._infinitive(words[place])) and begins_thing(rest, self._grammar):
                 said = said.with_other(place, place + 1, Utterance.in_one_breath([verb]))
         return said

@@ -11,8 +11,6 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["IdleParticles"]
 
-_NOTHING = Utterance([], [])
-
 
 class IdleParticles:
     """Reads an utterance without it, of a grammar that has the verb alone."""
@@ -28,4 +26,4 @@ class IdleParticles:
             end = next((at for at in range(verb + 1, next_verb) if breaks[at]), next_verb)
             for at in range(verb + 1, end):
                 if words[at] in self._idle[words[verb]]:
-                    yield Rewording(core.with_other(at, at + 1, _NOTHING))
+                    yield Rewording(core.cut(at, at + 1))

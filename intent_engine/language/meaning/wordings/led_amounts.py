@@ -6,18 +6,17 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["LedAmounts"]
 
-_NOTHING = Utterance([], [])
 _CHANGES = frozenset({"distance", "angle", "number"})
 """What is said to change by so much, and not to be so much: "set the speed" differs from "speed up by"."""
 _LASTS = frozenset({"duration"})
@@ -30,9 +29,10 @@ class LedAmounts:
     Args:
         grammar: whose they are.
         own: the words that it is written in.
+        phrases: of the grammar.
     """
 
-    def __init__(self, grammar: Grammar, own: frozenset[str]) -> None:
+    def __init__(self, grammar: Grammar, own: frozenset[str], phrases: Phrases) -> None:
         wording, known, table = grammar.wording, thing_words(grammar.language), units(grammar.language)
         self._wording = wording
         self._around = {words[0] for words in grammar.around if len(words) == 1}
@@ -41,7 +41,7 @@ class LedAmounts:
         self._own = own
         self._contracted = {one: to for one, (to, _) in known.contracted.items() if to in own}
         self._in_two = set(known.contracted.values())
-        self._merely = PhraseSet(wording.merely)
+        self._merely = phrases.merely
         self._by_own = sorted(wording.led_by & own)
         self._lasting_own = sorted(wording.lasting & own)
         self._of_own = sorted(wording.sizes.keys() & own)
@@ -66,10 +66,10 @@ class LedAmounts:
         words, wording = core.words, self._wording
         word, after, *_ = (*words[at : at + 2], "")
         if word in wording.sized and word not in self._own:  # "two meters deep", but "zwei Meter hoch" may be a way
-            yield Rewording(core.with_other(at, at + 1, _NOTHING), _Ends(words[at - 1]))
+            yield Rewording(core.cut(at, at + 1), _Ends(words[at - 1]))
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
-        without = Rewording(core.with_other(at, at + 1, _NOTHING), _Begins(words[at + 1 : at + 3], _AMOUNTS))
+        without = Rewording(core.cut(at, at + 1), _Begins(words[at + 1 : at + 3], _AMOUNTS))
         if word in wording.led_by or word in wording.lasting:
             kinds = _CHANGES if word in wording.led_by else _LASTS
             yield Rewording(without.said, _Begins([after], kinds))
@@ -83,7 +83,7 @@ class LedAmounts:
             yield without
         sizes = wording.sizes.get(words[at + 2], ()) if at + 3 < len(words) else ()
         if word in self._articles and after in sizes and not any(core.breaks[at + 2 : at + 4]):
-            yield Rewording(core.with_other(at, at + 3, _NOTHING), _Begins([words[at + 3]], _AMOUNTS))
+            yield Rewording(core.cut(at, at + 3), _Begins([words[at + 3]], _AMOUNTS))
 
     def _without_coming(self, core: Utterance, at: int) -> Iterator[Rewording]:
         """ "For *the next* two hours", and "for *the next* hour", which is one."""

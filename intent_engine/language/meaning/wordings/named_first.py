@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.wordings.rewording import Rewording
-from intent_engine.language.reading import Reading
+from intent_engine.language.meaning.wordings.rewording import Rewording, of_things_listed
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 
@@ -34,9 +33,4 @@ class NamedFirst:
             return
         at, length = found
         if self._pronouns.find(order, at + length) is None:
-            yield Rewording(Utterance.in_one_breath([*order[:at], *thing, *order[at + length :]]), _is_listed)
-
-
-def _is_listed(reading: Reading) -> bool:
-    """Whether it is a thing that a grammar knows, and not anybody who is spoken to: "Anna, take it"."""
-    return not reading.free_words
+            yield Rewording(Utterance.in_one_breath([*order[:at], *thing, *order[at + length :]]), of_things_listed)

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.wordings.counted import amounts
-from intent_engine.language.numbers.units import units
-from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.meaning.wordings.counted import amounts, in_an_amount
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["in_a_number", "next_begins", "part_by_part"]
+__all__ = ["next_begins", "part_by_part"]
 
 
 def part_by_part(
@@ -51,6 +49,7 @@ def next_begins(said: Utterance, start: int, phrases: Phrases, may_be: Callable[
 
 def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[int, int, bool]]:
     """Where each begins and ends, and whether it only joins or opens."""
+    within = in_an_amount(said.words, language)
     merely = {  # "go just two meters", "to, say, two meters"
         at
         for amount in amounts(said.words, language)
@@ -59,7 +58,7 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
     }
 
     def begins(at: int) -> bool:
-        return not (in_a_number(said, at, language) or at in merely)
+        return not (at in merely or (at in within and not any(said.breaks[at : at + 2])))
 
     start = 0
     while start < len(said):
@@ -71,16 +70,3 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
         end = next_begins(said, start, phrases, begins)
         yield start, end, False
         start = end
-
-
-def in_a_number(said: Utterance, at: int, language: str) -> bool:
-    """Whether a word stands within a number: "one *and* a half", "a meter *and* a half"."""
-    table = units(language)
-    if table is None or said.words[at] not in table.words["and"] or any(said.breaks[at : at + 2]):
-        return False
-    before, after = said.words[at - 1], said.words[at + 1 : at + 3]
-    counted = is_number(before, language) or (before,) in table.names
-    return counted and (
-        bool(table.parts_of_one.intersection(after))
-        or (is_number(before, language) and any(is_number(word, language) for word in after[:1]))
-    )

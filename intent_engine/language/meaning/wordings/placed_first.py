@@ -9,7 +9,6 @@ from collections.abc import Iterator, Set
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.counted import amounts
-from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -38,8 +37,6 @@ class PlacedFirst:
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles
         self._language = grammar.language
-        table = units(grammar.language)
-        self._parts = table.parts_of_one if table is not None else frozenset[str]()
         self._phrases = phrases
         self._sides = {way for said in grammar.wording.sides for way in said.split("/") if " " not in way} - self._leads
 
@@ -61,7 +58,7 @@ class PlacedFirst:
         for begin in range(1, len(words) - 1):
             if begin in within:
                 continue
-            for end in self._ends(words, begin):
+            for end in self._ends(words, begin, counts=begin in begins):
                 if end in within:
                     continue
                 if words[begin] not in self._articles and not verbs.isdisjoint(words[begin:end]):
@@ -76,12 +73,11 @@ class PlacedFirst:
                     start = begin + place - end
                     yield Utterance.in_one_breath(told), start, start + end - begin
 
-    def _ends(self, words: list[str], begin: int) -> range:
+    def _ends(self, words: list[str], begin: int, *, counts: bool) -> range:
         """Where what begins at a place may end; further behind the verb it begins with a preposition or a number, or is
         a way."""
         lead = self._placed.at(words, begin) or (words[begin] in self._leads)
-        counts = words[begin] in self._articles or words[begin] in self._parts  # "a quarter turn", "half a meter"
-        counts = counts or is_number(words[begin], self._language)
+        counts |= words[begin] in self._articles
         if not (lead or counts or begin == 1 or words[begin] in self._sides):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2

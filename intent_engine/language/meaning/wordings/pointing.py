@@ -39,7 +39,7 @@ class Pointing:
         """With one article in the place of each."""
         for at in range(1, len(core) - 1):  # "pause the printer eight" of a grammar that has "pause printer {n}"
             if core.words[at] in self._definite and not any(core.breaks[at : at + 2]):
-                yield Rewording(core.with_other(at, at + 1, Utterance([], [])), self._points_to_nothing_free)
+                yield Rewording(core.cut(at, at + 1), self._points_to_nothing_free)
         found = list(self._found(core))
         any_one = {"a"} if self._units is None else self._units.words["one"]
         counted = any(any_one.intersection(core.words[start:end]) for start, end in found)

@@ -8,7 +8,13 @@ from dataclasses import dataclass
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["Rewording"]
+__all__ = ["Rewording", "of_things_listed"]
+
+
+def of_things_listed(reading: Reading) -> bool:
+    """Whether a command is about things that a grammar knows: any other words may be said of anything ("could I have a
+    word")."""
+    return not reading.free_words
 
 
 def _any_reading(reading: Reading) -> bool:

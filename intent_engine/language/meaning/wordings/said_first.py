@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.wordings.parts import in_a_number
+from intent_engine.language.meaning.wordings.counted import in_an_amount
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -54,8 +54,8 @@ class SaidFirst:
         sequence = self._phrases.sequence
         if not sequence.may_stand_in(core.words):
             return False
-        places = (at for at in range(len(core)) if sequence.at(core.words, at))
-        return any(not in_a_number(core, at, self._language) for at in places)
+        within = in_an_amount(core.words, self._language)
+        return any(at not in within and sequence.at(core.words, at) for at in range(len(core)))
 
     def manner_first(self, core: Utterance) -> Iterator[tuple[Utterance, range]]:
         """One command with the adverb first that came last, and its place."""

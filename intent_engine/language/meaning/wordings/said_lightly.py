@@ -14,7 +14,6 @@ from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["SaidLightly"]
 
-_NOTHING = Utterance([], [])
 _AMOUNTS = frozenset({*QUANTITY_KINDS, "number", "ordinal"})
 
 
@@ -44,7 +43,7 @@ class SaidLightly:
         """
         said = core
         for start, length in reversed(list(self._places(core, verbs))):
-            said = said.with_other(start, start + length, _NOTHING)
+            said = said.cut(start, start + length)
         return said if len(said) and said.words != core.words else None
 
     def means(self, core: Utterance, verbs: Collection[str], readings: Sequence[Reading]) -> bool:

@@ -6,8 +6,7 @@ from collections.abc import Collection, Iterator
 from itertools import product
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.wordings.rewording import Rewording
-from intent_engine.language.reading import Reading
+from intent_engine.language.meaning.wordings.rewording import Rewording, of_things_listed
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -38,11 +37,6 @@ class Verbless:
         *thing, switched = words
         things = [thing] if thing[0] in self._articles else [thing, *([article, *thing] for article in self._articles)]
         for verb, named in product(sorted(verbs), things):
-            yield Rewording(Utterance.in_one_breath([verb, *named, switched]), _names_a_thing)
+            yield Rewording(Utterance.in_one_breath([verb, *named, switched]), of_things_listed)
             if not self._parts:  # "schalte ein Licht" is about a light
-                yield Rewording(Utterance.in_one_breath([verb, switched, *named]), _names_a_thing)
-
-
-def _names_a_thing(reading: Reading) -> bool:
-    """Whether it is one of the things that a grammar knows: any other words may be said of anything."""
-    return not reading.free_words
+                yield Rewording(Utterance.in_one_breath([verb, switched, *named]), of_things_listed)

@@ -12,7 +12,6 @@ __all__ = ["WaysOn"]
 
 _PLACES = ("location", "choice")
 _NUMBERED = ("number", "ordinal")
-_NOTHING = Utterance([], [])
 _MOST_ARTICLES = 1
 _MOST_IN_A_NAME = 3
 """Words before the number of a place: "to the second gate", "to gate number seven"."""
@@ -32,7 +31,7 @@ class WaysOn:
         """The same without those words; None: there are none."""
         said = core
         for place in reversed(self._places(core)):
-            said = said.with_other(place, place + 1, _NOTHING)
+            said = said.cut(place, place + 1)
         return said if said.words != core.words else None
 
     def means(self, core: Utterance, readings: Sequence[Reading]) -> bool:

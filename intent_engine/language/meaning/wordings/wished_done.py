@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.meaning.wordings.rewording import Rewording, of_things_listed
 from intent_engine.language.meaning.wordings.verbless import Verbless
-from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.verb_forms import told_forms_of
@@ -57,20 +56,15 @@ class WishedDone:
             before = thing[: at - self._to_be.ends(thing[:at])]
             for verb in dict.fromkeys(self._done(thing[at])):
                 if verb in verbs:
-                    yield Rewording(Utterance.in_one_breath([verb, *before, *thing[at + 1 :]]), _is_listed)
+                    yield Rewording(Utterance.in_one_breath([verb, *before, *thing[at + 1 :]]), of_things_listed)
 
     def _of_how_it_is(self, thing: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
         for verb in sorted(self._levels.keys() & verbs):
             if not self._levels[verb].isdisjoint(thing.words[1:-1]):
-                yield Rewording(Utterance.in_one_breath([verb, *thing.words]), _is_listed)
+                yield Rewording(Utterance.in_one_breath([verb, *thing.words]), of_things_listed)
         yield from self._verbless.ways(thing, verbs)
 
     def _done(self, word: str) -> Iterator[str]:
         yield word  # "set", "open"
         if not word.endswith(_NOT_DONE):
             yield from told_forms_of(word, self._language)
-
-
-def _is_listed(reading: Reading) -> bool:
-    """Whether it is about a thing that a grammar knows: people want anything done."""
-    return not reading.free_words

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.wordings.rewording import Rewording
-from intent_engine.language.reading import Reading
+from intent_engine.language.meaning.wordings.rewording import Rewording, of_things_listed
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 
@@ -28,9 +27,4 @@ class WishedThings:
             return
         for verb in sorted(self._gives.intersection(verbs)):
             for told in ([verb], *([verb, whom] for whom in self._for_whom)):
-                yield Rewording(core.with_other(0, length, Utterance.in_one_breath(told)), _is_listed)
-
-
-def _is_listed(reading: Reading) -> bool:
-    """Whether it is a thing that a grammar knows: people want anything ("could I have a word")."""
-    return not reading.free_words
+                yield Rewording(core.with_other(0, length, Utterance.in_one_breath(told)), of_things_listed)

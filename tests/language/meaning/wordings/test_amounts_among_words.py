@@ -18,6 +18,9 @@ from intent_engine.language.meaning.wordings.counted import amounts
         ("en", "lift three a meter", ["three", "a meter"]),
         ("en", "a box and an hour", ["an hour"]),
         ("de", "heb Bühne drei einen halben Meter", ["drei", "einen halben meter"]),
+        ("es", "riega hora y media los olivos", ["hora y media"]),
+        ("en", "two meters a second", ["two meters a second"]),
+        ("en", "four meters and half a meter per second", ["four meters", "half a meter per second"]),
         ("xx", "nothing is known of this", []),
     ],
 )
