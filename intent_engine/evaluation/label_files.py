@@ -4,7 +4,8 @@
 ``text``         what is said
 ``intent``       what it means; ``null``: no command, and nothing may be done
 ``slots``        values that must come out; others that come out are not held against it
-``actions``      what must be done: whole actions, or their types only (``["move", "turn"]``); ``[]``: nothing
+``actions``      what must be done: whole actions, or only their types (``["move", "turn"]``) and the names of custom
+                 ones (``["wave"]``); ``[]``: nothing
 ``start, end``   s: the part of the file that is meant
 ``speech_end``   s from the start of the sound: the end of the last word, to measure latency from
 ``id``           a name for the row

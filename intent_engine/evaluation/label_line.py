@@ -146,7 +146,7 @@ class LabelLine:
             steps = self._steps(data)
         elif "slots" in data:
             self.wrong("has 'slots' but no 'intent'", "slots", hint="say whose slots they are")
-        actions, types = self._actions(data)
+        actions, types = self._actions(data, engine)
         labelled = "actions" in data and data["actions"] is not None
         if "intent" in data and labelled and bool(data["intent"]) is not bool(data["actions"]):
             what = "an 'intent' and yet no 'actions'" if data["intent"] else "'actions' and yet no 'intent' (null)"
@@ -213,27 +213,36 @@ class LabelLine:
                 self.odd(str(error), name, hint=error.hint)
         return Step(step.intent, read)
 
-    def _actions(self, data: Mapping[str, Any]) -> tuple[tuple[Action, ...] | None, tuple[str, ...] | None]:
+    def _actions(
+        self, data: Mapping[str, Any], engine: IntentEngine
+    ) -> tuple[tuple[Action, ...] | None, tuple[str, ...] | None]:
         listed = self._typed(data, "actions", list, "a list of actions")
         if listed is None:
             return None, None
         if listed and all(isinstance(item, str) for item in listed):
+            known = [*ACTION_PARAMETERS, *_own_actions(engine)]
             for item in listed:
-                if item not in ACTION_PARAMETERS:
-                    known = ", ".join(ACTION_PARAMETERS)
-                    self.wrong(f"there is no action {item!r}", "actions", hint=f"there is {known}")
+                if item not in known:
+                    hint = did_you_mean(item, known) or f"there is {', '.join(known)}"
+                    self.wrong(f"there is no action {item!r}", "actions", hint=hint)
             return None, tuple(listed)
         return tuple(found for item in listed if (found := self._action(item)) is not None), None
 
     def _action(self, item: Any) -> Action | None:
         if isinstance(item, str):
-            self.wrong("'actions' are whole actions, or types of actions only", "actions", hint='["move", "turn"]')
+            self.wrong("'actions' are whole actions, or their types and names only", "actions", hint='["move", "turn"]')
             return None
         try:
             return from_json(item)
         except ValueError as error:
             self.wrong(f"'actions': {error}", "actions")
             return None
+
+
+def _own_actions(engine: IntentEngine) -> Collection[str]:
+    """Names of the grammars' custom actions."""
+    intents = [intent for grammar in engine.grammars for intent in grammar.intents.values()]
+    return sorted({intent.action.name for intent in intents if intent.action.name is not None})
 
 
 def _renamed(data: Mapping[str, Any], key: str) -> str | None:

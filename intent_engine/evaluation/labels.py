@@ -33,7 +33,7 @@ class Expected:
     actions: tuple[Action, ...] | None = None
     """What must be done; None: not labelled."""
     types: tuple[str, ...] | None = None
-    """Types of what must be done; None: not labelled."""
+    """Types of what must be done, or names of custom actions; None: not labelled."""
     by_text: bool = False
     """Whether all this was taken from the text: then the same, done after other words ("go for two feet"), is right."""
     stops: bool = False

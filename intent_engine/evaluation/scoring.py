@@ -136,7 +136,7 @@ def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verd
         steps, actions = _once(steps), actions[:1]  # a robot that is stopped twice is stopped
     right = (
         (not expected.steps or expected.by_text or _same_steps(expected.steps, steps, actions))
-        and (expected.types is None or expected.types == tuple(action.type for action in actions))
+        and (expected.types is None or _of_types(expected.types, actions))
         and (expected.actions is None or _same_actions(expected.actions, actions))
     )
     return Verdict.RIGHT if right else Verdict.WRONG
@@ -165,6 +165,14 @@ def _defaults(steps: Sequence[Step], actions: Sequence[Action]) -> Sequence[Mapp
     if len(steps) != len(actions):
         return [{}] * len(steps)
     return [action.slots if isinstance(action, Custom) else {} for action in actions]
+
+
+def _of_types(types: Sequence[str], actions: Sequence[Action]) -> bool:
+    """Whether each action is of the type that is labelled, or the custom action of that name."""
+    return len(types) == len(actions) and all(
+        wanted == action.type or (isinstance(action, Custom) and wanted == action.name)
+        for wanted, action in zip(types, actions, strict=True)
+    )
 
 
 def _same_actions(expected: Sequence[Action], found: Sequence[Action]) -> bool:

@@ -72,6 +72,22 @@ def test_a_label_is_believed_before_the_grammar(engine, write):
     assert types.types == ("move", "turn")
 
 
+def test_actions_of_ones_own_are_labelled_by_name(engine_of, write):
+    engine = engine_of("""
+language: en
+intents:
+  wave: {action: custom, sentences: [wave]}
+  greet: {action: {type: custom, name: bow}, sentences: [greet them]}
+""")
+    path = write({"audio": "a.wav", "actions": ["wave", "bow"]}, {"audio": "a.wav", "actions": ["bow", "custom"]})
+    meaning = engine.parse("wave and greet them")
+    hearing = Hearing(meanings=[meaning], acts=[Act(meaning, 1.0, 0.5)])
+    verdicts = [judge(row, Condition("tiny.en"), hearing).verdict for row in read_labels(path, engine)]
+    assert verdicts == [Verdict.RIGHT, Verdict.WRONG]
+    with pytest.raises(ConfigError, match=r"there is no action 'greet'\n    there is move, .*, bow, wave"):
+        read_labels(write({"audio": "a.wav", "actions": ["greet"]}), engine)
+
+
 def test_every_grammar_has_a_stop_to_label(engine_of, write):
     """A stop is told under a name also where the file has no intent for it."""
     engine = engine_of("language: en\nintents: {wave: {action: custom, sentences: [wave]}}\n")
@@ -125,7 +141,8 @@ def test_compound_commands_have_steps(engine, write):
         ({"audio": "a.wav", "text": "stop", "slots": {"distance": 1}}, "has 'slots' but no 'intent'"),
         ({"audio": "a.wav", "intent": None, "slots": {"distance": 1}}, "has 'slots' but no intent"),
         ({"audio": "a.wav", "intent": "compound", "slots": {}}, "'compound' needs its steps"),
-        ({"audio": "a.wav", "actions": ["fly"]}, "there is no action 'fly'"),
+        ({"audio": "a.wav", "actions": ["fly"]}, "there is no action 'fly'\n    there is move, "),
+        ({"audio": "a.wav", "actions": ["mvoe"]}, "there is no action 'mvoe'\n    did you mean 'move'?"),
         (
             {"audio": "a.wav", "actions": [{"type": "turn"}]},
             "'actions': turn needs angle, angular_velocity and",
@@ -157,7 +174,7 @@ def test_compound_commands_have_steps(engine, write):
             ({"audio": "a.wav", "intent": "compound", "slots": {"steps": steps}}, "'compound' needs its steps")
             for steps in ([], "move", ["move"], [{}], [{"intent": ["move"]}], [{"intent": "move", "slots": 3}])
         ),
-        ({"audio": "a.wav", "actions": ["move", {"type": "stop"}]}, "'actions' are whole actions, or types of actions"),
+        ({"audio": "a.wav", "actions": ["move", {"type": "stop"}]}, "'actions' are whole actions, or their types and names"),
         ('{"audio": "a.wav", "intent": "move", "slots": {"distance": NaN}}', "'slots' holds NaN or an infinite number"),
         ('{"audio": "a.wav", "intent": "move", "slots": {"distance": 1e999}}', "labels.jsonl:1:38: 'slots' holds NaN"),
         ('{"audio": "a.wav", "actions": [{"type": "custom", "slots": {"n": [NaN]}}]}', "'actions' holds NaN"),
