@@ -174,7 +174,7 @@ def test_compound_commands_have_steps(engine, write):
             ({"audio": "a.wav", "intent": "compound", "slots": {"steps": steps}}, "'compound' needs its steps")
             for steps in ([], "move", ["move"], [{}], [{"intent": ["move"]}], [{"intent": "move", "slots": 3}])
         ),
-        ({"audio": "a.wav", "actions": ["move", {"type": "stop"}]}, "'actions' are whole actions, or their types and names"),
+        ({"audio": "a.wav", "actions": ["move", {"type": "stop"}]}, "'actions' are whole actions, or their types and"),
         ('{"audio": "a.wav", "intent": "move", "slots": {"distance": NaN}}', "'slots' holds NaN or an infinite number"),
         ('{"audio": "a.wav", "intent": "move", "slots": {"distance": 1e999}}', "labels.jsonl:1:38: 'slots' holds NaN"),
         ('{"audio": "a.wav", "actions": [{"type": "custom", "slots": {"n": [NaN]}}]}', "'actions' holds NaN"),
