@@ -43,7 +43,7 @@ class Reasons:
         self._articles = thing_words(grammar.language).articles
         self._pronouns = {words[0] for words in grammar.operators.pronoun if len(words) == 1}
         self._begun = {words[:2] for words in wording.tells_of}
-        self._stands_for_a_thing = self._pronouns - self._articles
+        self._for_a_thing = self._pronouns - self._articles
         self._phrases = phrases
         self._closed = frozenset(grammar.operators.closed) - self._how  # "weil es dunkel *ist*"
         self._language = grammar.language
@@ -85,11 +85,7 @@ class Reasons:
         person = self._tells_of.at(told, begin)
         if not person:
             how = self._behind_a_thing(told, begin, verbs)
-            return (
-                how > 0
-                and self._tells_no_more(told[how:], verbs)
-                and (self._pronouns - self._articles).isdisjoint(command)
-            )
+            return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
         rest = told[begin + person :]
         if not self._tells_no_more(rest, verbs):
             return False

@@ -75,7 +75,8 @@ def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
         # Somebody repeats, takes back or tells a tale.
         "he is saying turn left", "he's saying, turn left", "turn left, she is joking", "turn left, it's a joke",
         "turn left, I'm kidding", "turn left, that's wrong", "turn left, that is what he said",
-        "the sign is clear, turn left", "turn left, you are supposed to", "the teacher is shouting, sing", "turn left, I'm sorry",
+        "the sign is clear, turn left", "turn left, you are supposed to", "the teacher is shouting, sing",
+        "turn left, I'm sorry",
         # It may be what the command is about, or its opposite.
         "go to the kitchen, it's the bathroom", "go to the kitchen, it's bathroom", "go to the kitchen, it's room two",
         "turn left, it's right", "turn left, you're right", "climb two meters, it's three",
