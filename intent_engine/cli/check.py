@@ -51,11 +51,12 @@ def check(
     names = [*(grammars or ()), *(named or ())] or ["en"]
     maps = [find("locations", name) for name in locations] if locations else [default_locations()]
     count: Counter[str] = Counter()
-    untried = 0
+    untried = elsewhere = 0
     for group in [names] if together else [[name] for name in names]:
         found, reports = _checked([find("grammars", name) for name in group], maps)
         if not locations:  # which map it is for was not said
             found = [replace(one, level="note") if one.topic == "place" else one for one in found]
+            elsewhere += sum(one.topic == "place" for one in found)
         count.update(finding.level for finding in found)
         untried += sum((finding.topic, finding.level) == ("example", "note") for finding in found)
         if as_json:
@@ -66,7 +67,12 @@ def check(
     if not as_json:
         rest = f"; --notes tells {_many(count['note'], 'note')}" if count["note"] and not notes else ""
         left = f", {_many(untried, 'example')} of other places not tried" if untried else ""
-        summary = f"{_many(count['error'], 'error')}, {_many(count['warning'], 'warning')}{left}{rest}"
+        away = (
+            f", {_many(elsewhere, 'place')} not on the map {maps[0].stem} (--locations FILE is yours)"
+            if elsewhere
+            else ""
+        )
+        summary = f"{_many(count['error'], 'error')}, {_many(count['warning'], 'warning')}{left}{away}{rest}"
         say(summary, "red" if failed else "yellow" if count["warning"] else "green")
     return EXIT_NOT_ACCEPTED if failed else 0
 

@@ -107,20 +107,38 @@ def load_engine(
 
 
 def tell_doubts(engine: IntentEngine, given: list[str] | None) -> None:
-    """One line on standard error, if loading the grammars found what is hardly meant; ``check`` looks for more.
+    """A line on standard error each, if loading the grammars found what is hardly meant, and if they go to places that
+    the map has not; ``check`` looks for more.
 
     Args:
         engine: that was loaded.
         given: the grammars as the option named them; None: the shipped one.
     """
-    count = sum(len(grammar.warnings) for grammar in engine.grammars)
-    if not count:
-        return
     names = given or [file for grammar in engine.grammars for file in grammar.files]
-    check = shlex.join([*(["--together"] if len(names) > 1 else []), *names])
+    check = f"intent-engine check {shlex.join([*(['--together'] if len(names) > 1 else []), *names])}"
     which = f"grammar{'s' * (len(names) > 1)} {' and '.join(names)}"
-    shows = "shows it" if count == 1 else "shows them"
-    note(f"{count} warning{'s' * (count != 1)} in {which}: intent-engine check {check} {shows}")
+    if count := sum(len(grammar.warnings) for grammar in engine.grammars):
+        shows = "shows it" if count == 1 else "shows them"
+        note(f"{count} warning{'s' * (count != 1)} in {which}: {check} {shows}")
+    if missing := _places_missing(engine):
+        places = "1 place" if missing == 1 else f"{missing} places"
+        who = f"{which} {'name' if len(names) > 1 else 'names'}"
+        where = f"{'is' if missing == 1 else 'are'} not on {_maps_of(engine)}"
+        note(f"{places} that {who} {where}: --locations FILE gives a map of your own")
+
+
+def _places_missing(engine: IntentEngine) -> int:
+    """How many places the grammars go to that the map has not."""
+    from intent_engine.language.checking.map_fit import places_missing
+
+    places = engine.locations
+    return sum(1 for grammar in engine.grammars for _ in places_missing(grammar, places)) if places is not None else 0
+
+
+def _maps_of(engine: IntentEngine) -> str:
+    """The maps of an engine, by the names of their files."""
+    files = [Path(file).name for file in (engine.locations.files if engine.locations is not None else ())]
+    return f"the map{'s' * (len(files) > 1)} {' and '.join(files)}".rstrip()
 
 
 def known_states(engine: IntentEngine, given: list[str] | None) -> tuple[str, ...]:

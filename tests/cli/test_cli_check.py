@@ -63,6 +63,28 @@ intents:
 """
 
 
+LISTED = """\
+language: en
+slots: {place: [pier, town hall]}
+intents: {fly: {action: {type: navigate, location: '{place}'}, sentences: ['fly to [the] {place}']}}
+"""
+
+
+def test_who_gives_no_map_is_told_of_places_that_no_robot_reaches(in_process, grammar):
+    path, places = grammar(LISTED), grammar("locations: {pier: {x: 1, y: 2}}\n", "map.yaml")
+    done = in_process("check", path)
+    assert done.returncode == 0
+    assert "0 errors, 0 warnings, 2 places not on the map home (--locations FILE is yours); --notes" in done.stdout
+    assert "0 errors, 1 warning\n" in in_process("check", "--locations", places, path).stdout
+    told = in_process("parse", "--grammar", path, "fly to the pier")
+    said = f"2 places that grammar {path} names are not on the map home.yaml: --locations FILE gives a map of your own"
+    assert told.stderr.strip() == said
+    told = in_process("parse", "--grammar", path, "--locations", places, "fly to the pier")
+    assert told.returncode == 0
+    assert "1 place that grammar" in told.stderr
+    assert "names is not on the map map.yaml" in told.stderr
+
+
 def test_examples_of_places_that_the_map_has_not_are_not_tried(in_process, grammar):
     path, places = grammar(PLACES), grammar("locations: {lab: {x: 1, y: 2}, yard: {x: 3, y: 2}}\n", "map.yaml")
     done = in_process("check", "--notes", "--locations", places, path)
