@@ -135,8 +135,10 @@ class Wording:
     """How somebody tells what may be done, each with the fillers that make an order of it: "*you can* land *now*","""
     pleads: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """and how he asks whether it may: "*can we* start, *please*?"."""
-    tells_of: tuple[tuple[str, ...], ...] = ()
+    tells_of_it: tuple[tuple[str, ...], ...] = ()
     """How somebody begins to tell why something is to be done: "*it is* dark, turn the lamp on","""
+    tells_of: tuple[tuple[str, ...], ...] = ()
+    """how he does of others than "it": "*I am* tired","""
     tells_of_a: frozenset[str] = frozenset()
     """what may stand before a thing of which he tells: "*my* feet are cold","""
     tells_how: frozenset[str] = frozenset()

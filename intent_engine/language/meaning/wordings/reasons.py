@@ -33,6 +33,7 @@ class Reasons:
     def __init__(self, matcher: Matcher, phrases: Phrases) -> None:
         grammar, wording = matcher.grammar, matcher.grammar.wording
         self._matcher = matcher
+        self._tells_of_it = PhraseSet(wording.tells_of_it)
         self._tells_of = PhraseSet(wording.tells_of)
         self._of_a_thing = wording.tells_of_a
         self._how = wording.tells_how
@@ -40,10 +41,9 @@ class Reasons:
         self._why = PhraseSet(wording.why)
         self._why_of = PhraseSet(wording.why_of)
         self._why_to = PhraseSet(wording.why_to)
+        self._begun = {words[:2] for words in (*wording.tells_of_it, *wording.tells_of)}
         self._articles = thing_words(grammar.language).articles
-        self._pronouns = {words[0] for words in grammar.operators.pronoun if len(words) == 1}
-        self._begun = {words[:2] for words in wording.tells_of}
-        self._for_a_thing = self._pronouns - self._articles
+        self._for_a_thing = {words[0] for words in grammar.operators.pronoun if len(words) == 1} - self._articles
         self._phrases = phrases
         self._closed = frozenset(grammar.operators.closed) - self._how  # "weil es dunkel *ist*"
         self._language = grammar.language
@@ -82,22 +82,18 @@ class Reasons:
         if cause:
             return self._tells_no_more(told[cause:], verbs)
         begin = self._why.at(told, 0)
-        person = self._tells_of.at(told, begin)
-        if not person:
-            how = self._behind_a_thing(told, begin, verbs)
-            return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
-        rest = told[begin + person :]
-        if not self._tells_no_more(rest, verbs):
-            return False
-        # What "it" is may be what the command is about.
-        return told[begin] not in self._pronouns or not self._names_another(rest, command)
+        if of_it := self._tells_of_it.at(told, begin):
+            rest = told[begin + of_it :]
+            return self._tells_no_more(rest, verbs) and not self._names_another(rest, command)
+        if of_others := self._tells_of.at(told, begin):
+            return self._tells_no_more(told[begin + of_others :], verbs)
+        how = self._behind_a_thing(told, begin, verbs)
+        return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
 
     def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
         """Whether what something is may be a thing, a place or a number in the place of one of a command."""
         others = (word for word in rest if word not in command)
-        return bool(rest and rest[0] in self._articles) or any(
-            word in self._names or self._matcher.is_number(word) for word in others
-        )
+        return rest[0] in self._articles or any(word in self._names or self._matcher.is_number(word) for word in others)
 
     @cached_property
     def _names(self) -> frozenset[str]:
@@ -115,5 +111,5 @@ class Reasons:
         return 0
 
     def _tells_no_more(self, words: Sequence[str], verbs: Collection[str]) -> bool:
-        """Whether words have nothing of a command or of a condition."""
-        return len(words) <= _MOST and not any(word in verbs or word in self._closed for word in words)
+        """Whether there are words, and they have nothing of a command or of a condition."""
+        return 0 < len(words) <= _MOST and not any(word in verbs or word in self._closed for word in words)
