@@ -34,6 +34,7 @@ from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
+from intent_engine.language.slots.counted_of_which import are_of_which, without_of_which
 from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.slots.half_behind import half_before, is_half_of_it
@@ -64,6 +65,7 @@ _NUMBERS = (
     (every_one, is_every_one),
     (without_number, is_called_so),
     (without_of, is_counted_with_of),
+    (without_of_which, are_of_which),
     (half_before, is_half_of_it),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""

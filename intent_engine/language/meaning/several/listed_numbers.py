@@ -267,12 +267,7 @@ class ListedNumbers:
         """Whether a number is what a slot holds, the word before it is of the sentence, and what was named before it is
         of each: "the cup to table 3 and 4" is one cup."""
         slot = _slot_at(reading, start)
-        if (
-            slot is None
-            or slot.end != start + length
-            or slot.slot.type != "number"
-            or slot.slot.units
-        ):
+        if slot is None or slot.end != start + length or slot.slot.type != "number" or slot.slot.units:
             return False
         before = [other for other in reading.slots if other.start < start]
         if any(other.end >= start or other.slot.type not in OF_EACH for other in before):
