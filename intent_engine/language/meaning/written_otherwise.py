@@ -25,6 +25,7 @@ from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
+from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
@@ -110,6 +111,7 @@ class WrittenOtherwise:
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
+        self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
@@ -302,8 +304,12 @@ class WrittenOtherwise:
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
         "close the first valve and open the second"."""
-        named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
-        return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
+
+        def as_said(other: Utterance) -> Understood | None:
+            return self._understood_as(text, core, other, state)
+
+        rules = (self._named, self._persons, self._nouns)
+        return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
     def named_before(
         self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]
