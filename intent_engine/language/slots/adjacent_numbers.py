@@ -192,10 +192,10 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
 
 
 def _multiplies(last: str, first: str, language: str) -> bool:
-    """Whether a number counts another, as in "two hundred" and "quatre vingt": said so, it is one."""
+    """Whether a number counts another, as in "one hundred" and "quatre vingt": said so, it is one."""
     values = (quantities.evaluate(words, "number", language) for words in ([last], [first], [last, first]))
     one, other, both = (value if isinstance(value, float) else None for value in values)
-    return one is not None and other is not None and one > 1 and other > 1 and both == one * other
+    return one is not None and other is not None and one >= 1 and other > 1 and both == one * other
 
 
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:

@@ -32,6 +32,11 @@ _HYPHENS = re.compile(
 )
 """Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "10 -5", "z - 5", "z = - 5".
 Others are what they seem: "z -5" has a sign, "3-5" none."""
+_SIGN_APART = re.compile(r"\s+[-−‐‑‒–]")
+_SIGNED = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*\Z")
+"""A number that is signed like the one behind such a hyphen: the first of "-2 -3"."""
+_SIGNED_BEFORE = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*(?P<hyphen>[-−‐‑‒–])(?=\.?\d)")
+"""One right behind such a number, that may be the dash of a range or the next sign: "-2-3"."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
@@ -91,6 +96,9 @@ class DashOrSign:
             before = _LAST_WORD.search(signed, 0, hyphen.start())
             word = before[0].casefold() if before is not None else ""
             read = self._read(hyphen[0], word, found, otherwise) if count <= _MOST else _Read.EITHER
+            alike = _SIGN_APART.fullmatch(hyphen[0]) and _SIGNED.search(signed, 0, hyphen.start())
+            if read is _Read.EITHER and alike and _of_two(otherwise):
+                read = _Read.SIGN
             if read is _Read.EITHER:
                 number = _NUMBER.match(signed, begin)
                 written = f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0]
@@ -98,6 +106,11 @@ class DashOrSign:
             if read is _Read.SIGN:
                 begin += len(other) - len(signed)
                 signed, found = other, otherwise
+        for dash in _SIGNED_BEFORE.finditer(signed) if found[0].actions and not found[0].stops else ():
+            at = dash.start("hyphen")
+            otherwise = meant(f"{signed[:at]}  {_MINUS}{signed[at + 1 :]}")
+            if otherwise[0].status is Status.ACCEPTED and _of_two(otherwise):
+                return signed, _either(text, f"{dash['hyphen']}{signed[dash.end() :].split()[0]}", behind_number=True)
         return signed, found
 
     def _unclear(self, text: str, parts: Sequence[Clause]) -> str:
@@ -160,6 +173,14 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
         for slot in part.reading.slots
         if isinstance(slot.value, (int, float)) and not isinstance(slot.value, bool) and slot.value < 0
     }
+
+
+def _of_two(understood: Understood) -> bool:
+    """Whether a number below zero stands right behind another one."""
+    return any(
+        any(other.end == slot.start and other.slot.type == slot.slot.type for other in reading.slots)
+        for reading, slot in _below_zero(understood).values()
+    )
 
 
 def _either(text: str, written: str, *, behind_number: bool = False) -> Understood:
