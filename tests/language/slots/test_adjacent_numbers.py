@@ -246,3 +246,44 @@ def test_with_a_unit_of_its_own_it_goes_on(hesitation):
 
 def test_said_in_one_breath_they_are_one():
     assert does("go forward uh five feet six") == does("go forward five feet six inches")
+
+
+AMOUNTS = """
+language: en
+slots:
+  a: {type: duration, min: 0 s}
+  d: {type: distance, min: 0 m}
+  w: {type: number, unit: kilo, units: {1: [kilo, kilos], 0.001: [gram, grams]}}
+intents:
+  pulse: {action: custom, sentences: ["pulse {a} {a:b}", "blink {a} and {a:b}"]}
+  gap: {action: custom, sentences: ["gap {d} {d:b}", "drive {d} {a:b}"]}
+  weigh: {action: custom, sentences: ["weigh {w} {w:b}"]}
+  wait: {action: custom, sentences: ["wait {a}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "values"),
+    [
+        ("pulse ten seconds five minutes", [10, 300]),
+        ("pulse two minutes thirty seconds", [120, 30]),
+        ("pulse two minutes ten seconds five seconds", [130, 5]),
+        ("pulse five minutes ten minutes", [300, 600]),
+        ("blink one minute and ten seconds and five seconds", [70, 5]),
+        ("gap two meters ten centimeters", [2, 0.1]),
+        ("gap two meters ten centimeters five centimeters", [2.1, 0.05]),
+        ("drive two meters ten seconds", [2, 10]),
+        ("weigh two kilos three hundred grams ten grams", [2.3, 0.01]),
+        ("wait two minutes thirty seconds", [150]),
+        # It may be parted in two places, or is no one amount.
+        ("pulse one hour ten minutes five seconds", None),
+        ("pulse one hour ten minutes and five seconds", None),
+        ("wait ten seconds five minutes", None),
+        ("wait five minutes ten minutes", None),
+        ("wait ten seconds, five seconds", None),
+    ],
+)
+def test_two_amounts_are_never_one_nor_others(engine_of, said: str, values: list[float] | None) -> None:
+    actions = engine_of(AMOUNTS).parse(said).actions
+    found = [list(action.slots.values()) for action in actions]
+    assert found == ([] if values is None else [pytest.approx(values)])
