@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from intent_engine.language.numbers.english_words import HALVES, ORDINAL_UNITS
+from intent_engine.language.numbers.english_words import ORDINAL_UNITS
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
@@ -13,7 +13,7 @@ from intent_engine.language.utterance import Utterance
 __all__ = ["are_shares", "shares_in_words"]
 
 _WRITTEN = re.compile(r"([1-9])/([2-9]|1[0-9])")
-_PARTS = {**{bottom: part for part, bottom in ORDINAL_UNITS.items()}, **{HALVES[part]: part for part in ("quarter",)}}
+_PARTS: dict[int, str] = {bottom: part for part, bottom in ORDINAL_UNITS.items()} | {4: "quarter"}
 
 
 def shares_in_words(said: Utterance, language: str) -> Utterance | None:
@@ -41,7 +41,7 @@ def _shares(said: Utterance, language: str) -> Iterator[tuple[int, list[str]]]:
         top, bottom = map(int, written.groups()) if written is not None else (1, 1)
         if top >= bottom:
             continue
-        if bottom == HALVES["half"]:
+        if bottom == 2:
             yield place, ["half"]
         elif bottom in _PARTS:
             yield place, ["a", _PARTS[bottom]] if top == 1 else [*in_words([str(top)]), f"{_PARTS[bottom]}s"]
