@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from enum import Enum
+from itertools import pairwise
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
@@ -83,6 +84,9 @@ class DashOrSign:
         signed, found = self._signed(text, meant) if self._below_zero else (text, meant(text))
         if found[0].actions and not found[0].stops and (number := self._unclear(signed, found[1])):
             return _either(text, number)
+        if len(found[1]) > 1 and (from_to := self._from_to(signed, found[1])):
+            reason = f"{from_to!r} may be all from the one to the other; say each of them"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
         return replace(found[0], text=text), found[1]
 
     def _signed(self, text: str, meant: Callable[[str], Understood]) -> tuple[str, Understood]:
@@ -125,6 +129,19 @@ class DashOrSign:
             free = (name for part in parts for name in part.free_names)
             if is_number and not any(words[at] in name for name in free):
                 return text[tokens[at - 1].end : tokens[at].end].strip()
+        return ""
+
+    def _from_to(self, text: str, parts: Sequence[Clause]) -> str:
+        """Two numbers with a dash between them, each of another command of a list: "drawers 2-5 and 7"; empty: there
+        are none."""
+        tokens = tokenize(text, self._language)
+        for one, other in pairwise(tokens):
+            if _DASH.fullmatch(text[one.end : other.start]) is None:
+                continue
+            for before, after in pairwise(part.reading for part in parts):
+                alike = before is not None and after is not None and before.sentence is after.sentence
+                if alike and _ends(before, one.word) and _begins(after, other.word):
+                    return text[one.start : other.end]
         return ""
 
     def _read(self, hyphen: str, before: str, found: Understood, otherwise: Understood) -> _Read:
@@ -173,6 +190,18 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
         for slot in part.reading.slots
         if isinstance(slot.value, (int, float)) and not isinstance(slot.value, bool) and slot.value < 0
     }
+
+
+def _ends(reading: Reading | None, word: str) -> bool:
+    """Whether a number ends with a word."""
+    slots = reading.slots if reading is not None else ()
+    return any(slot.slot.type == "number" and reading and reading.words[slot.end - 1] == word for slot in slots)
+
+
+def _begins(reading: Reading | None, word: str) -> bool:
+    """Whether a number begins with a word."""
+    slots = reading.slots if reading is not None else ()
+    return any(slot.slot.type == "number" and reading and reading.words[slot.start] == word for slot in slots)
 
 
 def _of_two(understood: Understood) -> bool:
