@@ -99,6 +99,11 @@ def test_figures_that_are_no_two_numbers_are_one(engine, said):
     assert engine.parse(said).actions == ()
 
 
+@pytest.mark.parametrize("said", ["count to 1e1", "count to 1e2", "point at 1e1 2", "point at 2 1e1"])
+def test_an_exponent_is_no_number_that_anybody_says(engine, said):
+    assert not engine.parse(said).actions
+
+
 @pytest.mark.parametrize("said", ["6.5", "six and a half", "six point five", "six point three"])
 def test_a_slot_that_counts_takes_whole_numbers(engine, said):
     found = engine.parse(f"wake me at {said}")
