@@ -19,7 +19,8 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.several_names import on_several_lines
-from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
+from intent_engine.language.loading.text_file import MAX_BYTES, text_of
+from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, parse_yaml, read_yaml
 from intent_engine.language.maps.map_draft import (
     DEFAULT_FRAME,
     FIELDS,
@@ -224,8 +225,8 @@ def _carefully(path: Path) -> Draft:
     from intent_engine.language.maps.map_table import read_table
 
     try:
-        text = path.read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError):
+        text = text_of(path)
+    except (OSError, ValueError):
         return Draft(problems=read_yaml(path).problems or [Problem("cannot be read as UTF-8 text", str(path))])
     return read_table(path, text)
 

@@ -19,7 +19,7 @@ from intent_engine.language.networks.word_state import Trace, WordState
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.slots.adjacent_numbers import is_number, numbers_apart, parted_at_joint
+from intent_engine.language.slots.adjacent_numbers import amounts_apart, is_number, numbers_apart, parted_at_joint
 from intent_engine.language.slots.free_text import FreeText
 from intent_engine.language.slots.slot_values import SlotValues
 from intent_engine.language.templates.alternative_slots import alternatives
@@ -289,11 +289,11 @@ class Matcher:
                 heard[position - 1] = mark[1]
         if len(slots) > 1:
             understood = heard
-            slots = parted_at_joint(
-                slots,
-                heard,
-                lambda one, begin, end: self.values.read(one.slot, one.label, understood, begin, end, None, False),
-            )
+
+            def read(one: SlotReading, begin: int, end: int) -> SlotReading:
+                return self.values.read(one.slot, one.label, understood, begin, end, None, False)
+
+            slots = amounts_apart(parted_at_joint(slots, heard, read), heard, read, self.grammar.language)
             slots = numbers_apart(slots, heard, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
 

@@ -213,11 +213,14 @@ class Sampler:
         return Sample(_joined(pieces), "compound", {"steps": steps}, actions, pieces, first.sentence)
 
     def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
-        """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
+        """The sample of these pieces, or None if their values make no action, nobody could tell them apart, or a
+        pattern does not take them."""
         if any(map(_run_together, pieces, pieces[1:])) or any(map(_may_join, pieces, pieces[1:], pieces[2:])):
             return None
         if self._could_be_others(pieces):
             return None
+        if self._patterns.has(sentence) and not self._patterns.takes(sentence, pieces):
+            return None  # another value of a list than those that its pattern has
         said = {**sentence.fixed, **{piece.label: piece.value for piece in pieces if piece.label is not None}}
         try:
             slots = (

@@ -83,6 +83,8 @@ class Wording:
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
+    of_persons: frozenset[str] = frozenset()
+    """Pronouns for somebody who was named before, in the same utterance: "focus on the actor and follow *him*"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()

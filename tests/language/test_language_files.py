@@ -78,6 +78,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "wishes_done": "en", "to_be": "en", "permits": "en", "pleads": "en",
         "merely": "en", "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it",
         "vaguely": "de es fr it", "urges": "es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
+        "of_persons": "en",  # elsewhere they are those for things as well
         "particles": "en", "idle_particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them

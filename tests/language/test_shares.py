@@ -26,6 +26,12 @@ intents:
         ("a quarter, no, half", 0.5),
         ("full", 1.0),
         ("half, no, full", 1.0),
+        ("1/2", 0.5),
+        ("½ now", 0.5),
+        ("3/4", 0.75),
+        ("2/3", 2 / 3),
+        ("1/16", 1 / 16),
+        ("1/2 percent", 0.005),
     ],
 )
 def test_a_part_is_one_of_the_whole(engine_of, unit: str, said: str, level: float) -> None:
@@ -58,7 +64,24 @@ def test_what_is_no_half(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR.format(unit="", language="de")).parse(f"dim to {said}").actions
 
 
-@pytest.mark.parametrize("said", ["half or a quarter", "half fifty", "full half", "a full", "minus half", "a", "third"])
+@pytest.mark.parametrize(
+    "said",
+    [
+        "half or a quarter",
+        "half fifty",
+        "full half",
+        "a full",
+        "minus half",
+        "a",
+        "third",
+        "3/2",
+        "1 1/2",
+        "1/2 m",
+        "50",
+        "0.5",
+        "1/2 or 1/4",
+    ],
+)
 def test_what_is_no_part(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR.format(unit="", language="en")).parse(f"dim to {said}").actions
 

@@ -112,6 +112,18 @@ def test_a_negated_sentence_is_expected_to_move_nothing(engine, data):
     assert_means(engine.parse(said.text), said.expected)
 
 
+@FEW
+@given(data=st.data())
+def test_a_pattern_is_corrected_to_what_it_takes(engine_of, data):
+    engine = engine_of(
+        "language: en\nslots:\n  room: [kitchen, hall, living room]\n  n: {type: number, min: 1, max: 500}\n"
+        "intents:\n  clean: {action: custom, regex: 'clean the (?P<room>kitchen|hall)'}\n"
+        "  open: {action: custom, regex: 'open gate (?P<n>[0-9])'}\n"
+    )
+    said = data.draw(sentences(engine, noise="correction"))
+    assert_means(engine.parse(said.text), said.expected)
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

@@ -23,11 +23,10 @@ from intent_engine.language.loading.spoilt_lines import (
     without_colon,
     without_dash,
 )
+from intent_engine.language.loading.text_file import TooLargeError, text_of
 
 __all__ = ["YamlSource", "near_file", "not_utf8", "read_yaml"]
 
-MAX_BYTES = 64 * 1024 * 1024
-"""A file beyond this is not one that a person wrote for us."""
 MAX_COPIES = 100_000
 """Values that aliases may repeat; nested aliases can unfold a page to more than any memory holds."""
 
@@ -116,10 +115,10 @@ def read_yaml(path: str | Path, *, shortest: str = SHORTEST) -> YamlSource:
     source = YamlSource(str(path))
     file = Path(path)
     try:
-        if file.stat().st_size > MAX_BYTES:
-            source.problems.append(Problem("is larger than 64 MiB", str(path), hint="is this the right file?"))
-            return source
-        text = file.read_text("utf-8-sig")
+        text = text_of(file)
+    except TooLargeError:
+        source.problems.append(Problem("is larger than 64 MiB", str(path), hint="is this the right file?"))
+        return source
     except FileNotFoundError:
         if file.is_symlink():
             message = f"is a link to {file.readlink()}, which is not there"
@@ -136,6 +135,9 @@ def read_yaml(path: str | Path, *, shortest: str = SHORTEST) -> YamlSource:
         return source
     except OSError as error:
         source.problems.append(Problem(f"cannot be read: {error.strerror}", str(path)))
+        return source
+    except ValueError:
+        source.problems.append(Problem(f"{str(path)!r} is the path of no file", hint="give the path of a YAML file"))
         return source
     return parse_yaml(text, source, shortest)
 

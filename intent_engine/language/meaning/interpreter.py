@@ -34,6 +34,7 @@ from intent_engine.language.meaning.wordings.numbers_in_pieces import NumbersInP
 from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.vague import lacks_a_number
+from intent_engine.language.slots.called_so import CalledSo
 from intent_engine.language.slots.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
@@ -57,7 +58,8 @@ class Interpreter:
         self.matcher = matcher
         commands = Commands(matcher)
         texts = TextPlaces(matcher)
-        self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None, texts.name)
+        at = texts.at if texts else None
+        self.phrases = Phrases(grammar, commands.lists, at, texts.name, CalledSo(matcher))
         self._nearest = nearest
         self._dashes = DashOrSign(grammar)
         self._language = grammar.language

@@ -14,6 +14,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
 from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
 from intent_engine.language.meaning.wordings.named_first import NamedFirst
+from intent_engine.language.meaning.wordings.nouns_with_of import NounsWithOf
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
@@ -57,6 +58,7 @@ class OtherWords:
         self._phrases = phrases
         self._language = grammar.language
         self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
+            NounsWithOf(grammar, own).ways,
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
             LedAmounts(grammar, own, phrases).ways,

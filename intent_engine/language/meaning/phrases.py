@@ -26,6 +26,7 @@ class Phrases:
         lists: whether words are a command without a verb, as they stand in a list: "right". None: not known.
         place_of: where what is said between words and another word stands in a text of any words; None: there is none.
         names: whether it stands in the name of a thing; None: not known.
+        called: whether something is called so, in a list or on the map; None: not known.
     """
 
     def __init__(
@@ -34,6 +35,7 @@ class Phrases:
         lists: Callable[[list[str]], bool] | None = None,
         place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None,
         names: Callable[[Sequence[str], str], bool] | None = None,
+        called: Callable[[tuple[str, ...]], bool] | None = None,
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         self._articles = thing_words(grammar.language).articles
@@ -101,6 +103,7 @@ class Phrases:
             PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
             self._operators, self.hesitation, PhraseSet(counting), PhraseSet(counted), place_of, grammar.language,
             places, digits, known.describing, known.articles, names,
+            SomePhrases(grammar.fillers, called) if called is not None else PhraseSet(()),
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = wording.requests

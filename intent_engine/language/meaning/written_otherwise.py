@@ -25,6 +25,7 @@ from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
+from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
@@ -34,9 +35,11 @@ from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
+from intent_engine.language.slots.counted_of_which import are_of_which, without_of_which
 from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.slots.half_behind import half_before, is_half_of_it
+from intent_engine.language.slots.written_shares import are_shares, shares_in_words
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
@@ -64,7 +67,9 @@ _NUMBERS = (
     (every_one, is_every_one),
     (without_number, is_called_so),
     (without_of, is_counted_with_of),
+    (without_of_which, are_of_which),
     (half_before, is_half_of_it),
+    (shares_in_words, are_shares),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
@@ -108,6 +113,7 @@ class WrittenOtherwise:
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
+        self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
@@ -300,8 +306,12 @@ class WrittenOtherwise:
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
         "close the first valve and open the second"."""
-        named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
-        return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
+
+        def as_said(other: Utterance) -> Understood | None:
+            return self._understood_as(text, core, other, state)
+
+        rules = (self._named, self._persons, self._nouns)
+        return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
     def named_before(
         self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]

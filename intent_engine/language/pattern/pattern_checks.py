@@ -13,6 +13,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.networks.nearest import Nearest
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.pattern.pattern_signs import unsaid_sign
+from intent_engine.language.pattern.values_missed import values_missed
 from intent_engine.language.sampler import Sampler
 from intent_engine.language.sampling.drawing import RandomChoices
 
@@ -36,6 +37,8 @@ def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterato
     matcher = Matcher(grammar, locations)
     interpreter = Interpreter(matcher, Nearest(matcher))
     for intent in patterned:
+        for problem in values_missed(intent, grammar, locations):
+            yield "warning", "pattern", problem
         read = []
         unsaid = sum(unsaid_sign(text) is not None for text in intent.regex)
         """Regexes that are told of by themselves."""

@@ -114,10 +114,15 @@ class PatternSampler:
         """The same, also where it would be heard in other words."""
         intent, _, part = self._parts[id(sentence)]
         pieces = _pieces(list(self._letters(part, choices, None)))
-        if pieces is None:
-            return None
+        return pieces if pieces is not None and self._takes(intent, pieces) else None
+
+    def takes(self, sentence: Sentence, pieces: Sequence[Piece]) -> bool:
+        """Whether a pattern fits some pieces, each of its slots what is said for it."""
+        return self._takes(self._parts[id(sentence)][0], pieces)
+
+    def _takes(self, intent: Intent, pieces: Sequence[Piece]) -> bool:
         held = {piece.label: piece.text for piece in pieces if piece.label is not None}
-        return pieces if held in self._patterns.held(intent.name, _text(pieces)) else None
+        return held in self._patterns.held(intent.name, _text(pieces))
 
     def _letters(self, part: Part, choices: Choices, slot: Slot | None) -> Iterator[_Said]:
         """What a part is said as, within a slot or none."""

@@ -10,9 +10,11 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.digit_by_digit import digit_of, said_together
 from intent_engine.language.numbers.english_words import HALVES, NUMBER_WORDS
+from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading, SlotReading
 
 __all__ = [
+    "amounts_apart",
     "cuts_digits",
     "is_number",
     "leaves_one_of_two",
@@ -72,6 +74,32 @@ def parted_at_joint(
             found[place : place + 2] = ways[0]
         elif ways:
             problem = f"where the first number ends in {' '.join(words[start:end])!r} is not clear"
+            found[place] = replace(slot, value=None, status="unknown", problem=problem)
+    return found
+
+
+def amounts_apart(
+    slots: Sequence[SlotReading],
+    words: Sequence[str],
+    read: Callable[[SlotReading, int, int], SlotReading],
+    language: str,
+) -> list[SlotReading]:
+    """Slots of one sentence, of which none holds an amount that may as well be a part of the next one of its kind: "one
+    hour ten minutes five seconds" may be an hour, and ten minutes and five seconds. The arguments are those of
+    :func:`parted_at_joint` and of :func:`numbers_apart`."""
+    found = list(slots)
+    table = units(language)
+    joints = table.words["and"] if table is not None else frozenset[str]()
+    for place, (slot, after) in enumerate(pairwise(slots)):
+        alike = slot.slot.type == after.slot.type and slot.slot.type in _COUNTED
+        bare = slot.slot.type == "number" and not (slot.slot.units and after.slot.units)
+        if slot.end != after.start or not alike or bare or slot.problem or after.problem:
+            continue
+        cuts = range(slot.start + 1, after.end)
+        others = [(cut, cut) for cut in cuts if cut != slot.end]
+        others += [(cut, cut + 1) for cut in cuts[:-1] if words[cut] in joints]
+        if any(not (read(slot, slot.start, end).problem or read(after, at, after.end).problem) for end, at in others):
+            problem = f"where the first amount ends in {' '.join(words[slot.start : after.end])!r} is not clear"
             found[place] = replace(slot, value=None, status="unknown", problem=problem)
     return found
 
@@ -192,10 +220,10 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
 
 
 def _multiplies(last: str, first: str, language: str) -> bool:
-    """Whether a number counts another, as in "two hundred" and "quatre vingt": said so, it is one."""
+    """Whether a number counts another, as in "one hundred" and "quatre vingt": said so, it is one."""
     values = (quantities.evaluate(words, "number", language) for words in ([last], [first], [last, first]))
     one, other, both = (value if isinstance(value, float) else None for value in values)
-    return one is not None and other is not None and one > 1 and other > 1 and both == one * other
+    return one is not None and other is not None and one >= 1 and other > 1 and both == one * other
 
 
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:

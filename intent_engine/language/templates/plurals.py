@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.slots.name_words import singular
@@ -67,11 +68,20 @@ class Plurals:
         for place, word in enumerate(words):
             behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
             before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
+            if before and not behind and self._names_several(words, place + 1):
+                continue
             if self._is_strange(word) and (behind or word not in owners):
                 words[place] = next(self._ways(word, counted=behind or before), word)
             elif known and behind and word not in self._first_words():
                 words[place] = next(iter(self._more.get(word, ())), word)
         return Utterance(words, list(said.breaks)) if words != said.words else None
+
+    def _names_several(self, words: Sequence[str], start: int) -> bool:
+        """Whether numbers are said that are not one: "totes 14, 15" are two, and no tote 1415 of a slot that is said
+        digit by digit."""
+        language = self._grammar.language
+        end = next((at for at in range(start, len(words)) if not is_number(words[at], language)), len(words))
+        return end > start + 1 and evaluate(words[start:end], "number", language) is None
 
     def one_of_each(self, said: Utterance) -> Utterance | None:
         """The same utterance with every strange word for more of something as the word of the grammar for one: "the

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -71,6 +71,8 @@ class Openers:
     articles: frozenset[str] = frozenset()
     names: Callable[[Sequence[str], str], bool] | None = None
     """Whether what is said between words and another word stands in the name of a thing; None: none is named."""
+    called: PhraseSet = field(default_factory=lambda: PhraseSet(()))
+    """Fillers that are the whole name of something: "the *ER*"."""
 
     def misplaced(
         self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
@@ -87,7 +89,7 @@ class Openers:
                 return paused or not self._counts_on(said, position, length, before)
             if not self.around.at(said.words, position):
                 return True
-        if self._describes(said, position, length, before):
+        if self._describes(said, position, length, before) or self._names_something(said, position, length):
             return True
         if self.counted.at(said.words, position) == length:
             return paused or not self._counted_before(said, position, length, before)
@@ -162,6 +164,19 @@ class Openers:
         if any(said.breaks[position : end + 1]) or self.fillers.at(said.words, end) or self.ends.at(said.words, end):
             return False
         return self.names(before, said.words[end])
+
+    def _names_something(self, said: Utterance, position: int, length: int) -> bool:
+        """Whether a filler is the name of something where it stands: behind an article in one breath, and nothing else
+        behind it that the article could be of. "Go to the *ER*, no, the hall", but "go to the er hall"."""
+        if (
+            not position
+            or said.words[position - 1] not in self.articles
+            or any(said.breaks[position : position + length])
+        ):
+            return False
+        end = position + length
+        over = end == len(said) or said.breaks[end] or self.ends.at(said.words, end) or self.fillers.at(said.words, end)
+        return bool(over) and self.called.at(said.words, position) == length
 
     def _begins_name(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether a greeting stands in the midst of a command, in one breath: people greet before one or behind it."""

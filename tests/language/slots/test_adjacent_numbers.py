@@ -64,7 +64,9 @@ def test_what_could_be_one_number_or_two_is_asked_back(engine, said):
     assert "could be one number or two" in found.reason
 
 
-@pytest.mark.parametrize(("said", "y"), [("two fifty", 50), ("two one hundred", 100), ("two hundred", None)])
+@pytest.mark.parametrize(
+    ("said", "y"), [("two fifty", 50), ("two one hundred", 100), ("two hundred", None), ("one hundred", None)]
+)
 def test_a_number_that_counts_another_is_one_with_it(engine, said, y):
     """ "Two hundred" are no two and a hundred, though it is more than a slot takes."""
     assert [action.slots["y"] for action in engine.parse(f"aim at {said}").actions] == [y] * (y is not None)
@@ -95,6 +97,11 @@ def test_a_zero_that_parts_nothing_parts_no_number(engine, said):
 )
 def test_figures_that_are_no_two_numbers_are_one(engine, said):
     assert engine.parse(said).actions == ()
+
+
+@pytest.mark.parametrize("said", ["count to 1e1", "count to 1e2", "point at 1e1 2", "point at 2 1e1"])
+def test_an_exponent_is_no_number_that_anybody_says(engine, said):
+    assert not engine.parse(said).actions
 
 
 @pytest.mark.parametrize("said", ["6.5", "six and a half", "six point five", "six point three"])
@@ -244,3 +251,44 @@ def test_with_a_unit_of_its_own_it_goes_on(hesitation):
 
 def test_said_in_one_breath_they_are_one():
     assert does("go forward uh five feet six") == does("go forward five feet six inches")
+
+
+AMOUNTS = """
+language: en
+slots:
+  a: {type: duration, min: 0 s}
+  d: {type: distance, min: 0 m}
+  w: {type: number, unit: kilo, units: {1: [kilo, kilos], 0.001: [gram, grams]}}
+intents:
+  pulse: {action: custom, sentences: ["pulse {a} {a:b}", "blink {a} and {a:b}"]}
+  gap: {action: custom, sentences: ["gap {d} {d:b}", "drive {d} {a:b}"]}
+  weigh: {action: custom, sentences: ["weigh {w} {w:b}"]}
+  wait: {action: custom, sentences: ["wait {a}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "values"),
+    [
+        ("pulse ten seconds five minutes", [10, 300]),
+        ("pulse two minutes thirty seconds", [120, 30]),
+        ("pulse two minutes ten seconds five seconds", [130, 5]),
+        ("pulse five minutes ten minutes", [300, 600]),
+        ("blink one minute and ten seconds and five seconds", [70, 5]),
+        ("gap two meters ten centimeters", [2, 0.1]),
+        ("gap two meters ten centimeters five centimeters", [2.1, 0.05]),
+        ("drive two meters ten seconds", [2, 10]),
+        ("weigh two kilos three hundred grams ten grams", [2.3, 0.01]),
+        ("wait two minutes thirty seconds", [150]),
+        # It may be parted in two places, or is no one amount.
+        ("pulse one hour ten minutes five seconds", None),
+        ("pulse one hour ten minutes and five seconds", None),
+        ("wait ten seconds five minutes", None),
+        ("wait five minutes ten minutes", None),
+        ("wait ten seconds, five seconds", None),
+    ],
+)
+def test_two_amounts_are_never_one_nor_others(engine_of, said: str, values: list[float] | None) -> None:
+    actions = engine_of(AMOUNTS).parse(said).actions
+    found = [list(action.slots.values()) for action in actions]
+    assert found == ([] if values is None else [pytest.approx(values)])

@@ -2,13 +2,14 @@
 
 A number names a thing where the noun stands before it ("drawer 3") and counts where it stands behind ("3 cups"). A
 "level 3" is how much there is of one thing, and no two of them. What may be one number ("a hundred and four"), a range,
-one of two, or a correction is no list.
+one of two, or a correction is no list. Nor are digits that may be a row: in "gate three, four and five" of a slot that
+is said digit by digit, two gates may be meant.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from intent_engine.actions import Custom
@@ -17,6 +18,7 @@ from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.normalize import without_accents
+from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.units import units
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading, SlotReading
@@ -32,6 +34,8 @@ __all__ = ["OF_EACH", "ListedNumbers"]
 OF_EACH = frozenset(("speed", "angular_speed", "angle", "percent", "ordinal", "boolean", "choice", "location"))
 """Types of slots that say how, where or which: behind a list they are meant for each of it. How many and how long may
 be each one's, or that of all together."""
+_LEAST_IN_A_ROW = 3
+"""Words of a number that is surely said digit by digit: "one two and three four" may be four numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +45,8 @@ class _Listed:
     start: int
     end: int
     numbers: tuple[tuple[str, ...], ...]
+    joints: tuple[tuple[str, ...], ...]
+    """The words between them; none between two is a pause."""
 
 
 class ListedNumbers:
@@ -108,8 +114,8 @@ class ListedNumbers:
             and not thing_words(self._language).is_manner(words[end])
         ):
             return None
-        listed = _Listed(start, end, tuple(numbers))
-        return listed if self._are_several(listed, joints) else None
+        listed = _Listed(start, end, tuple(numbers), tuple(map(tuple, joints)))
+        return listed if self._are_several(listed) else None
 
     def _number_end(self, part: Utterance, start: int) -> int:
         end = start + 1
@@ -135,16 +141,23 @@ class ListedNumbers:
                 return place
         return None
 
-    def _are_several(self, listed: _Listed, joints: Sequence[Sequence[str]]) -> bool:
+    def _are_several(self, listed: _Listed) -> bool:
         """Whether the numbers are whole ones, and no two that follow one another may be one."""
         values = [evaluate(number, "number", self._language) for number in listed.numbers]
+        if not any(values) and self._are_rows(listed):
+            values = [evaluate(said_together(row, self._language), "number", self._language) for row in listed.numbers]
         if not all(isinstance(value, float) and value >= 0 and value.is_integer() for value in values):
             return False
         counted = [int(value) for value in values if isinstance(value, float)]
         return not any(
             self._may_be_one(listed.numbers[at : at + 2], counted[at : at + 2], joint)
-            for at, joint in enumerate(joints)
+            for at, joint in enumerate(listed.joints)
         )
+
+    def _are_rows(self, listed: _Listed) -> bool:
+        """Whether each number is said digit by digit, and all alike: "one two zero seven and one two zero eight"."""
+        lengths = {len(number) for number in listed.numbers}
+        return len(lengths) == 1 and min(lengths) >= _LEAST_IN_A_ROW
 
     def joins_one(self, words: Sequence[str], end: int, start: int) -> bool:
         """Whether the numbers before and behind a joint, in words from ``end`` to ``start``, may be one."""
@@ -188,6 +201,8 @@ class ListedNumbers:
                 return [refused]
             if len(clauses) < len(listed.numbers) or not _differ_in_one(clauses):
                 return None
+            if self._may_be_a_row(part, before, listed, state, after):
+                return None
             plural = before.words[-1] != part.words[listed.start - 1]
             asked = self._asked(clauses, len(before), len(listed.numbers[0]), state, plural=plural)
             return clauses if asked is None else [asked]
@@ -210,6 +225,18 @@ class ListedNumbers:
             return None
         does = not clause.accepted or (isinstance(clause.action, Custom) and clause.action.name != AGAIN)
         return clause if does and self._is_named(clause.reading, len(before), len(number)) else None
+
+    def _may_be_a_row(
+        self, part: Utterance, before: Utterance, listed: _Listed, state: Collection[str], after: str
+    ) -> bool:
+        """Whether two numbers that only a pause parts are one of the same command: "three, four" may be 34."""
+        for at, joint in enumerate(listed.joints):
+            if not joint:
+                one = (*listed.numbers[at], *listed.numbers[at + 1])
+                row = self._clause(part, before, replace(listed, numbers=(one,)), 0, state, after)
+                if row is not None and row.accepted:
+                    return True
+        return False
 
     @cached_property
     def _joined_by_grammar(self) -> frozenset[str]:
@@ -240,13 +267,7 @@ class ListedNumbers:
         """Whether a number is what a slot holds, the word before it is of the sentence, and what was named before it is
         of each: "the cup to table 3 and 4" is one cup."""
         slot = _slot_at(reading, start)
-        if (
-            slot is None
-            or slot.end != start + length
-            or slot.slot.type != "number"
-            or slot.slot.units
-            or slot.slot.digits
-        ):
+        if slot is None or slot.end != start + length or slot.slot.type != "number" or slot.slot.units:
             return False
         before = [other for other in reading.slots if other.start < start]
         if any(other.end >= start or other.slot.type not in OF_EACH for other in before):

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from enum import Enum
+from itertools import pairwise
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
@@ -32,6 +33,11 @@ _HYPHENS = re.compile(
 )
 """Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "10 -5", "z - 5", "z = - 5".
 Others are what they seem: "z -5" has a sign, "3-5" none."""
+_SIGN_APART = re.compile(r"\s+[-−‐‑‒–]")
+_SIGNED = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*\Z")
+"""A number that is signed like the one behind such a hyphen: the first of "-2 -3"."""
+_SIGNED_BEFORE = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*(?P<hyphen>[-−‐‑‒–])(?=\.?\d)")
+"""One right behind such a number, that may be the dash of a range or the next sign: "-2-3"."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
@@ -78,6 +84,9 @@ class DashOrSign:
         signed, found = self._signed(text, meant) if self._below_zero else (text, meant(text))
         if found[0].actions and not found[0].stops and (number := self._unclear(signed, found[1])):
             return _either(text, number)
+        if len(found[1]) > 1 and (from_to := self._from_to(signed, found[1])):
+            reason = f"{from_to!r} may be all from the one to the other; say each of them"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
         return replace(found[0], text=text), found[1]
 
     def _signed(self, text: str, meant: Callable[[str], Understood]) -> tuple[str, Understood]:
@@ -91,6 +100,9 @@ class DashOrSign:
             before = _LAST_WORD.search(signed, 0, hyphen.start())
             word = before[0].casefold() if before is not None else ""
             read = self._read(hyphen[0], word, found, otherwise) if count <= _MOST else _Read.EITHER
+            alike = _SIGN_APART.fullmatch(hyphen[0]) and _SIGNED.search(signed, 0, hyphen.start())
+            if read is _Read.EITHER and alike and _of_two(otherwise):
+                read = _Read.SIGN
             if read is _Read.EITHER:
                 number = _NUMBER.match(signed, begin)
                 written = f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0]
@@ -98,6 +110,11 @@ class DashOrSign:
             if read is _Read.SIGN:
                 begin += len(other) - len(signed)
                 signed, found = other, otherwise
+        for dash in _SIGNED_BEFORE.finditer(signed) if found[0].actions and not found[0].stops else ():
+            at = dash.start("hyphen")
+            otherwise = meant(f"{signed[:at]}  {_MINUS}{signed[at + 1 :]}")
+            if otherwise[0].status is Status.ACCEPTED and _of_two(otherwise):
+                return signed, _either(text, f"{dash['hyphen']}{signed[dash.end() :].split()[0]}", behind_number=True)
         return signed, found
 
     def _unclear(self, text: str, parts: Sequence[Clause]) -> str:
@@ -112,6 +129,19 @@ class DashOrSign:
             free = (name for part in parts for name in part.free_names)
             if is_number and not any(words[at] in name for name in free):
                 return text[tokens[at - 1].end : tokens[at].end].strip()
+        return ""
+
+    def _from_to(self, text: str, parts: Sequence[Clause]) -> str:
+        """Two numbers with a dash between them, each of another command of a list: "drawers 2-5 and 7"; empty: there
+        are none."""
+        tokens = tokenize(text, self._language)
+        for one, other in pairwise(tokens):
+            if _DASH.fullmatch(text[one.end : other.start]) is None:
+                continue
+            for before, after in pairwise(part.reading for part in parts):
+                alike = before is not None and after is not None and before.sentence is after.sentence
+                if alike and _ends(before, one.word) and _begins(after, other.word):
+                    return text[one.start : other.end]
         return ""
 
     def _read(self, hyphen: str, before: str, found: Understood, otherwise: Understood) -> _Read:
@@ -160,6 +190,26 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
         for slot in part.reading.slots
         if isinstance(slot.value, (int, float)) and not isinstance(slot.value, bool) and slot.value < 0
     }
+
+
+def _ends(reading: Reading | None, word: str) -> bool:
+    """Whether a number ends with a word."""
+    slots = reading.slots if reading is not None else ()
+    return any(slot.slot.type == "number" and reading and reading.words[slot.end - 1] == word for slot in slots)
+
+
+def _begins(reading: Reading | None, word: str) -> bool:
+    """Whether a number begins with a word."""
+    slots = reading.slots if reading is not None else ()
+    return any(slot.slot.type == "number" and reading and reading.words[slot.start] == word for slot in slots)
+
+
+def _of_two(understood: Understood) -> bool:
+    """Whether a number below zero stands right behind another one."""
+    return any(
+        any(other.end == slot.start and other.slot.type == slot.slot.type for other in reading.slots)
+        for reading, slot in _below_zero(understood).values()
+    )
 
 
 def _either(text: str, written: str, *, behind_number: bool = False) -> Understood:

@@ -107,6 +107,8 @@ LISTS = {
         "unlock drawer three and four": [3, 4],
         "unlock drawer 3, 4 and 5": [3, 4, 5],
         "unlock drawer 3, 4, and 5": [3, 4, 5],
+        "unlock drawer 3, 4 - and 5": [3, 4, 5],
+        "unlock drawer 3 - and clear table 4": [3, 4],
         "unlock drawer 3 and 4 and 7": [3, 4, 7],
         "unlock drawer 3 and also 4": [3, 4],
         "unlock drawer 3 and then 4": [3, 4],
@@ -170,6 +172,11 @@ NONE = {
         "unlock drawer 2 to 5",
         "unlock drawers 2 to 5 and 6",
         "unlock drawer 2-5",
+        "unlock drawers 2-5 and 7",
+        "unlock drawers 2 - 5 and 7",
+        "unlock drawers 2 – 5 and 7",
+        "unlock drawers 1, 3 - 5 and 7",
+        "unlock drawers two - five and seven",
         "unlock drawer 3 or 4",
         "unlock drawer 3, 4 or 5",
         "unlock drawer 3 and 4 or 5",
@@ -205,6 +212,10 @@ NONE = {
         "set factor 2 and 3",
         "add sugar 2 and 3 spoons",
         "open gate three, four and five",
+        "open gates fourteen, fifteen and sixteen",
+        "open gates one two and three four",
+        "open gates 1 2 and 3",
+        "open gates twenty and three",
         "fill tank 3 and 4",
         "wait 5 and 10 seconds",
         "go forward 3 and 4 meters",
@@ -243,6 +254,30 @@ def test_a_number_in_words_stays_one(engines) -> None:
 def test_a_sentence_with_two_numbers_of_its_own_has_both(engines) -> None:
     (action,) = engines["en"].parse("join pipe three and four").actions
     assert dict(action.slots) == {"n": 3, "other": 4}
+
+
+ROWS = {
+    "open gates 14 and 15": [14, 15],
+    "open gate 3 and 5": [3, 5],
+    "open gates three and five": [3, 5],
+    "open gates 14, 15 and 16": [14, 15, 16],
+    "open gates 140 and 150": [140, 150],
+    "open gates one two zero seven and one two zero eight": [1207, 1208],
+    "open gate 14 15": [1415],
+    "open gate one two zero seven": [1207],
+    # Of more than one gate the digits are no row.
+    "open gates 14, 15": [],
+    "open gates 14-16": [],
+    "open gates 1-4": [],
+    "open gates three four": [],
+    "open gates 14 through 16": [],
+    "open gates 14 to 16": [],
+}
+
+
+@pytest.mark.parametrize(("said", "meant"), ROWS.items())
+def test_numbers_that_may_be_said_digit_by_digit(engines, said: str, meant: list[int]) -> None:
+    assert [action.slots["digits"] for action in engines["en"].parse(said).actions] == meant
 
 
 @pytest.mark.parametrize(

@@ -68,6 +68,9 @@ def engine(engine_of) -> IntentEngine:
         ("go to 10,-20", {"x": 10, "y": -20}),
         ("go to 10 \u221220", {"x": 10, "y": -20}),
         ("go to 10, -20", {"x": 10, "y": -20}),
+        ("go to -10 -20", {"x": -10, "y": -20}),
+        ("go to -1.5 -20.5", {"x": -1.5, "y": -20.5}),
+        ("go to -10 20", {"x": -10, "y": 20}),
         ("shift to x\u22125", {"anywhere": -5}),
         ("index z-5", {"at": -5}),
         ("jog z-5 mm, no, z-3 mm", {"axis": "z", "far": -0.003}),
@@ -106,6 +109,9 @@ def test_it_is_none_in_a_name_and_as_a_pause(engine: IntentEngine, said: str, sl
         "go to 10 -20",
         "go to 10 - 20",
         "go to 10 \u201320",
+        "go to -10 - 20",
+        "go to -10-20",
+        "go to -1.5-20",
     ],
 )
 def test_what_may_be_either_is_not_done(engine: IntentEngine, said: str) -> None:
