@@ -13,6 +13,7 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
 from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
+from intent_engine.language.meaning.wordings.merely import Merely
 from intent_engine.language.meaning.wordings.named_first import NamedFirst
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.parts import part_by_part
@@ -21,6 +22,7 @@ from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.sides import Sides
+from intent_engine.language.meaning.wordings.up_to import UpTo
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verbless import Verbless
 from intent_engine.language.meaning.wordings.wished_done import WishedDone
@@ -57,9 +59,11 @@ class OtherWords:
         self._phrases = phrases
         self._language = grammar.language
         self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
+            Merely(grammar, phrases).ways,
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
-            LedAmounts(grammar, own, phrases).ways,
+            UpTo(grammar).ways,
+            LedAmounts(grammar, own).ways,
             Sides(grammar, own).ways,
         )
         self._particles = Particles(commands, phrases)

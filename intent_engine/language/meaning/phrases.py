@@ -39,6 +39,8 @@ class Phrases:
         self._articles = thing_words(grammar.language).articles
         self.merely = PhraseSet(wording.merely)
         """What says no more before so much, in whatever pauses."""
+        self.roughly = PhraseSet(wording.roughly)
+        """The same behind it: "two minutes *or so*"."""
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
         counted = [words for words in grammar.counted if not own.issuperset(words)]
@@ -53,8 +55,8 @@ class Phrases:
         comparing = (words for words in operators.negation if not wording.compares.isdisjoint(words))
         compared = frozenset(words for words in comparing if own.issuperset(words) and in_a_row(grammar, words))
         negation = [words for words in operators.negation if words not in compared]
-        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
-        """Operators, of which no filler takes a part."""
+        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation, *wording.roughly))
+        """Operators and the like, of which no filler takes a part."""
         self._operators = PhraseSet(
             (*operators.stop, *operators.sequence, *operators.contrast, *operators.correction, *operators.cancel,
              *negation)
@@ -70,6 +72,8 @@ class Phrases:
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)
+        besides = (words for words in wording.besides if words in operators.later)
+        self._later_at_last = PhraseSet(words for words in besides if own.isdisjoint(words))
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
         self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
@@ -279,6 +283,12 @@ class Phrases:
         word may stand before them."""
         words = words[self.after_wake(words) :]
         position = self.fillers.after(words, 0)
+        at_last = self._later_at_last.find(words, 1)
+        while at_last is not None:
+            end = sum(at_last)
+            if self.fillers.cover(words[end:]) or self.sequence.at(words, end):
+                return True  # "go to the kitchen next"
+            at_last = self._later_at_last.find(words, end)
         return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
 
     def takes_back(self, words: Sequence[str]) -> bool:

@@ -293,9 +293,13 @@ class WrittenOtherwise:
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
-        found = self._understood_as(text, core, self._ways_on.without(core), state)
-        return found if found is not None and self._ways_on.means(core, _readings(found)) else None
+        """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
+        "turn the lamp on"."""
+        for other in self._ways_on.without(core):
+            found = self._understood_as(text, core, other, state)
+            if found is not None:
+                return found if self._ways_on.means(core, _readings(found)) else None
+        return None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of

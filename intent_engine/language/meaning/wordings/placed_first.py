@@ -45,8 +45,8 @@ class PlacedFirst:
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
-        anew = (place for place in range(1, len(words)) if core.breaks[place] is None)
-        if any(is_number(words[place], self._language) for place in anew):
+        counting = [place for place in range(1, len(words)) if is_number(words[place], self._language)]
+        if any(core.breaks[place] is None for place in counting[1:]):
             return  # "five feet, uh, five forward": it may have been said anew
         counted = amounts(words, self._language)
         within = {at for amount in counted for at in amount[1:]}

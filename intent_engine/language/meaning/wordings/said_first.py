@@ -43,9 +43,10 @@ class SaidFirst:
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
             return
         for place in range(1 + led, min(len(words), _MOST + 1)):
-            told = core.part(place, len(core))
+            verb = place + (0 if words[place] in verbs else self._phrases.merely.at(words, place))  # "just hover"
+            told = core.part(verb, len(core))
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
-            if words[place] not in verbs or parted or self._joins(core):
+            if not told.words or told.words[0] not in verbs or parted or self._joins(core):
                 continue
             yield Utterance.in_one_breath([*told.words, *words[:place]]), range(len(told), len(words))
 

@@ -46,7 +46,6 @@ def test_it_is_the_way(engine_of, language: str, said: str, meant: str) -> None:
 @pytest.mark.parametrize(
     ("language", "said"),
     [
-        ("en", "turn the volume down to ten percent"),
         ("en", "bring the tray over, to the lab"),
         ("en", "bring the tray over the lab"),
         ("en", "don't bring the tray over to the lab"),
