@@ -37,7 +37,8 @@ class UpTo:
             if words[at + 1] not in self._to or any(core.breaks[at : at + 2]):
                 continue
             if kinds := self._goes(words[0], words[at]):
-                yield Rewording(core.cut(at, at + 1), Begins(words[at + 2 : at + 2 + _MOST], kinds))
+                start = at - (at > 1 and words[at - 1] in self._back)  # "back down to"
+                yield Rewording(core.cut(start, at + 1), Begins(words[at + 2 : at + 2 + _MOST], kinds))
 
     def _goes(self, verb: str, way: str) -> frozenset[str]:
         """Of which amounts a way says no more behind a verb than "to" does. "Raise the boom *down* to a meter" says two

@@ -3,8 +3,8 @@ the sink", "turn the lamp *back* on"."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.reading import Reading
@@ -19,16 +19,6 @@ _NUMBERED = ("number", "ordinal")
 _MOST_ARTICLES = 1
 _MOST_IN_A_NAME = 3
 """Words before the number of a place: "to the second gate", "to gate number seven"."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Way:
-    """Words in a row that say no more than the one behind them."""
-
-    start: int
-    end: int
-    switches: bool
-    """Whether what follows is no preposition of a place, but switches something: "back *on*"."""
 
 
 class WaysOn:
@@ -52,32 +42,36 @@ class WaysOn:
         """The same without those words, and without those before a "back" alone: "fly *on* back to base"."""
         if self._any.isdisjoint(core.words):
             return
-        ways = self._ways(core.words, core.breaks)
+        ways = self._ways(core)
         if ways:
-            yield _cut(core, [(way.start, way.end) for way in ways])
-        before = [(way.start, way.end - 1) for way in ways if core.words[way.end - 1] in self._back]
-        if before := [(start, end) for start, end in before if start < end]:
+            yield _cut(core, ways)
+        before = [way[:-1] for way in ways if len(way) > 1 and core.words[way[-1]] in self._back]
+        if before:
             yield _cut(core, before)
 
     def means(self, core: Utterance, readings: Sequence[Reading]) -> bool:
         """Whether a place stands behind each of them, or what something is switched to: "turn it *down* to ten percent"
         says more than how far. None of two opposite ways is left out."""
-        ways = self._ways(core.words, core.breaks)
-        left_out = {word for way in ways for word in core.words[way.start : way.end]}
+        words, ways = core.words, self._ways(core)
+        left_out = {words[at] for way in ways for at in way}
+        kept = {word for reading in readings for word in reading.words}
+        if any(not (kept | left_out).isdisjoint(opposed(word, self._language)) for word in left_out & self._back):
+            return False
         if any(not left_out.isdisjoint(opposed(word, self._language)) for word in left_out):
             return False
-        prepositions = [core.words[way.end] for way in ways if not way.switches]
-        switched = {core.words[way.end] for way in ways if way.switches}
+        switched, led = set[str](), Counter[str]()
         for reading in readings:
-            if any(not {*reading.words}.isdisjoint(opposed(word, self._language)) for word in left_out & self._back):
+            free = {at for slot in reading.slots if slot.slot.type in FREE_KINDS for at in range(slot.start, slot.end)}
+            switched |= {word for at, word in enumerate(reading.words) if at not in free}
+            places = self._leading(reading, {words[way.stop] for way in ways})
+            led.update(reading.words[place] for place in places)
+        for way in ways:
+            after = words[way.stop]
+            if self._leads(words, way[-1]) and led[after]:
+                led[after] -= 1
+            elif not (self._switches(words, way[-1]) and after in switched):
                 return False
-            free = {at for one in reading.slots if one.slot.type in FREE_KINDS for at in range(one.start, one.end)}
-            switched -= {word for at, word in enumerate(reading.words) if at not in free}
-            for led in self._led(reading):
-                found = next((way for way in prepositions if way in led), None)
-                if found is not None:
-                    prepositions.remove(found)
-        return not prepositions and not switched
+        return True
 
     def behind_a_name(self, reading: Reading, breaks: Sequence[bool | None]) -> Utterance | None:
         """The words of a reading without those that end what is free of it, behind a verb of bringing or putting: of
@@ -97,31 +91,35 @@ class WaysOn:
             return Utterance([*words], [*breaks] or [False] * len(words)).cut(start, slot.end)
         return None
 
-    def _led(self, reading: Reading) -> Iterator[Sequence[str]]:
-        """The words before each place, of which one may lead to it: a slot, or words of the sentence ("to base")."""
+    def _leading(self, reading: Reading, ways: Collection[str]) -> set[int]:
+        """Where some words lead to a place: of a slot, or one that the sentence names itself ("to base")."""
         words = reading.words
-        within = {at for slot in reading.slots for at in range(slot.start, slot.end)}
+        most = {at: _MOST_ARTICLES for at in range(1, len(words)) if words[at] not in self._articles}
         for slot in reading.slots:
-            numbered = slot.slot.type in _NUMBERED
-            most = _MOST_IN_A_NAME if numbered else _MOST_ARTICLES
-            if numbered or slot.slot.type in _PLACES:
-                yield words[max(slot.start - 1 - most, 0) : slot.start]
-        for at in range(1, len(words)):
-            behind = at - 1 - (words[at - 1] in self._articles)
-            if at not in within and words[at] not in self._articles and behind > 0:
-                yield words[behind : behind + 1]
+            for at in range(slot.start, slot.end):
+                most.pop(at, None)
+            if slot.slot.type in (*_PLACES, *_NUMBERED):
+                most[slot.start] = _MOST_IN_A_NAME if slot.slot.type in _NUMBERED else _MOST_ARTICLES
+        found: set[int] = set()
+        for at, names in most.items():
+            before = range(max(at - 1 - names, 0), at)
+            led = next((place for place in before if words[place] in ways), None)
+            if led is not None and (names > _MOST_ARTICLES or self._articles.issuperset(words[led + 1 : at])):
+                found.add(led)
+        return found
 
-    def _ways(self, words: Sequence[str], breaks: Sequence[bool | None]) -> list[_Way]:
-        """Where such words stand, behind the first word and with others behind, in one breath."""
-        found: list[_Way] = []
+    def _ways(self, core: Utterance) -> list[range]:
+        """Where such words stand, behind the first word and with others behind, in one breath; the last first."""
+        words, breaks = core.words, core.breaks
+        found: list[range] = []
         at = len(words) - 1
         while at > 1:
             end = at
-            if not breaks[end] and not breaks[end - 1] and self._says_no_more(words, end - 1):
+            if not (breaks[end] or breaks[end - 1]) and self._says_no_more(words, end - 1):
                 at -= 1
                 while at > 1 and words[at - 1] in self._any and not breaks[at - 1]:
                     at -= 1
-                found.append(_Way(at, end, not self._leads(words, end - 1)))
+                found.append(range(at, end))
             at -= 1
         return found
 
@@ -134,21 +132,25 @@ class WaysOn:
         if at + 2 == len(words):
             return False
         if after not in self._into:
-            return word in self._words and after in self._to
-        verb = next((verb for verb in reversed(words[:at]) if verb in self._puts), "")
-        return word in self._back or word in self._puts.get(verb, ())  # "put the tray back on the shelf"
+            particle = word in self._switched and word in _of_verb(words[:at], self._particles)
+            return word in self._words and after in self._to and not particle  # "turn the lamp on to ..."
+        return word in self._back or word in _of_verb(words[:at], self._puts)  # "put the tray back on the shelf"
 
     def _switches(self, words: Sequence[str], at: int) -> bool:
         """Whether it is a "back" before what belongs to a verb, or switches something: "turn it *back* on"."""
         after = words[at + 1]
         if words[at] not in self._back:
             return False
-        verb = next((verb for verb in reversed(words[:at]) if verb in self._particles), "")
-        return after in self._switched or after in self._particles.get(verb, ())
+        return after in self._switched or after in _of_verb(words[:at], self._particles)
 
 
-def _cut(said: Utterance, places: Sequence[tuple[int, int]]) -> Utterance:
-    """An utterance without the words between some places, the last first."""
-    for start, end in places:
-        said = said.cut(start, end)
+def _of_verb(before: Sequence[str], by_verb: Mapping[str, frozenset[str]]) -> frozenset[str]:
+    """What the last word has that is a verb with any."""
+    return next((by_verb[word] for word in reversed(before) if word in by_verb), frozenset())
+
+
+def _cut(said: Utterance, ways: Sequence[range]) -> Utterance:
+    """An utterance without some of its words, the last first."""
+    for way in ways:
+        said = said.cut(way.start, way.stop)
     return said
