@@ -26,6 +26,8 @@ class Wording:
     """Those that say when before a time: "*in* ten minutes", but "*in* German"."""
     besides: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
+    no_joints: tuple[tuple[str, ...], ...] = ()
+    """What begins like a joint and is none: "*next to* the door"."""
     in_its_place: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()

@@ -74,7 +74,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "asking": "de es fr it", "kindly": "de es fr it", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "puts": "en", "brings": "en",
-        "wholes": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
+        "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "en", "pleads": "en", "reasons": "en", "merely": "en",
         "roughly": "en",

@@ -70,7 +70,7 @@ class Phrases:
         """One of them, for what corrects in other words: "wrong way, the lab"."""
         self.in_its_place = PhraseSet(wording.in_its_place)
         self.cancel = PhraseSet(operators.cancel)
-        self.sequence = PhraseSet(operators.sequence)
+        self.sequence = PhraseSet(operators.sequence, wording.no_joints)
         self._later = PhraseSet(operators.later)
         besides = (words for words in wording.besides if words in operators.later)
         self._later_at_last = PhraseSet(words for words in besides if own.isdisjoint(words))
