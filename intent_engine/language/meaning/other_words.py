@@ -103,7 +103,7 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
-        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
+        wished = [*self._wished_done.ways(part, verbs, asks=asks), *self._wished.ways(part, verbs)]
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
             # As a whole it was tried with something in another place already.
             ways = self._ways([Rewording(part)], placed=len(part) < len(said))[1:]

@@ -100,6 +100,7 @@ class WrittenOtherwise:
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
+        self._besides = PhraseSet(wording.besides)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
@@ -160,6 +161,7 @@ class WrittenOtherwise:
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
         yield self._reasons.without(core, self._commands.verbs)
+        yield self._but_for_besides(core)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)
@@ -171,6 +173,12 @@ class WrittenOtherwise:
             yield self._asking.told(asked) or asked
         elif kindly:
             yield self._asking.told(core)
+
+    def _but_for_besides(self, core: Utterance) -> Utterance | None:
+        """What was said but for an "as well" at its end, which sounds like no word of a sentence; None: it has none."""
+        length = self._besides.ends(core.words)
+        alike = self._matcher.alikes.get(core.words[-1]) if core.words else None
+        return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))

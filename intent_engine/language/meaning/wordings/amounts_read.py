@@ -27,11 +27,11 @@ class Begins:
 
 
 class Ends:
-    """Whether an amount ends with a word."""
+    """Whether an amount ends with one of some words."""
 
-    def __init__(self, word: str) -> None:
-        self._word = word
+    def __init__(self, words: Collection[str]) -> None:
+        self._words = words
 
     def __call__(self, reading: Reading) -> bool:
         ends = (slot.end - 1 for slot in reading.slots if slot.slot.type in AMOUNTS)
-        return any(reading.words[end] == self._word for end in ends)
+        return any(reading.words[end] in self._words for end in ends)

@@ -81,15 +81,16 @@ class BehindTheVerb:
         return begins or word not in known.joining | known.alone | known.unfinished
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".
-        None: there is no such word, or there are several."""
+        """An utterance without what says, behind a verb or at its end, and once, that it was so before: "mach das Licht
+        *wieder* an". None: there is no such word, or there are several."""
         found = [(at, one) for at in range(len(core)) for one in self._once_more if _is_at(core, at, one)]
         if not found:
             found = [(at, one) for at in range(len(core)) for one in self._shortened if self._ends_so(core, at, one)]
         if len(found) != 1:
             return None
         ((at, one),) = found
-        behind = any(word in verbs for word in core.words[:at]) and not core.breaks[at]
+        last = at + len(one) == len(core)
+        behind = not core.breaks[at] and (last or any(word in verbs for word in core.words[:at])) and at > 0
         return core.cut(at, at + len(one)) if behind else None
 
     def _ends_so(self, core: Utterance, at: int, phrase: Sequence[str]) -> bool:

@@ -58,7 +58,7 @@ class LedAmounts:
         words, wording = core.words, self._wording
         word, after, *_ = (*words[at : at + 2], "")
         if word in wording.sized and word not in self._own:  # "two meters deep", but "zwei Meter hoch" may be a way
-            yield Rewording(core.cut(at, at + 1), Ends(words[at - 1]))
+            yield Rewording(core.cut(at, at + 1), Ends([words[at - 1]]))
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
         without = Rewording(core.cut(at, at + 1), Begins(words[at + 1 : at + 3], AMOUNTS))

@@ -34,10 +34,14 @@ class Merely:
             return
         for amount in amounts(words, self._language):
             at, end = amount.start, amount.stop
-            if (length := self._before.ends(words[:at])) and length < at:
-                without = Utterance(
-                    [*words[: at - length], *words[at:]], [*breaks[: at - length], False, *breaks[at + 1 :]]
+            behind = self._behind.at(words, end)
+            if any(breaks[end + 1 : end + behind]):
+                behind = 0
+            less = core.cut(end, end + behind)
+            if behind:
+                yield Rewording(less, Ends(words[at:end]))
+            if (before := self._before.ends(words[:at])) and before < at:
+                told = Utterance(
+                    [*words[: at - before], *less.words[at:]], [*breaks[: at - before], False, *less.breaks[at + 1 :]]
                 )
-                yield Rewording(without, Begins([words[at]], AMOUNTS, free=False))
-            if (length := self._behind.at(words, end)) and not any(breaks[end + 1 : end + length]):
-                yield Rewording(core.cut(end, end + length), Ends(words[end - 1]))
+                yield Rewording(told, Begins([words[at]], AMOUNTS, free=False))
