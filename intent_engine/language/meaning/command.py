@@ -30,6 +30,7 @@ _STEM = 3
 """Letters with which a verb begins in each of its forms."""
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
+_NAME_OR_WAY = "{!r} may be a thing, or {!r} say where it goes; say it without"
 _NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
@@ -58,8 +59,8 @@ class Commands:
         each word, as in an utterance.
         """
         readings = self.readings(words, after)
-        said = self._ways_on.behind_a_name(readings[0], breaks) if readings and readings[0].free_words else None
-        if said is not None and (clause := self.exact(said.words, state, after, said.breaks)) is not None:
+        free = readings and readings[0].free_words and not after
+        if free and (clause := self._without_way(readings[0], state, breaks)) is not None:
             return clause
         if readings and readings[0].free_words and (counted := self._counted(words, readings[0], after)):
             readings = counted
@@ -74,6 +75,20 @@ class Commands:
                 return Clause(readings[0], reason=_PARTED.format(apart), at_fault=(apart,))
             readings = [reading for reading, command in zip(readings, parted, strict=True) if not command]
         return self._choose(readings, state) if readings else None
+
+    def _without_way(self, reading: Reading, state: Collection[str], breaks: Sequence[bool | None]) -> Clause | None:
+        """The command without words that say no more of a way than it does, and are no part of the thing before them;
+        None: it is none so."""
+        way = self._ways_on.behind_a_name(reading)
+        if way is None:
+            return None
+        words = reading.words
+        said = [*words[: way.start], *words[way.stop :]]
+        clause = self.exact(said, state, breaks=[*breaks[: way.start], *breaks[way.stop :]])
+        if clause is None or not clause.accepted or not self._ways_on.may_be_a_name(words, way):
+            return clause
+        name = " ".join(words[way.start - 1 : way.stop])
+        return Clause(reading, reason=_NAME_OR_WAY.format(name, words[way.start]), at_fault=(name,))
 
     def readings(self, words: list[str], after: str = "") -> list[Reading]:
         """All ways to understand words as a sentence or a pattern, the best first; ``after`` as in :meth:`exact`."""
@@ -225,6 +240,7 @@ class Commands:
         ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
+        readings = [one for one in readings if not one.free_words or self._ways_on.behind_a_name(one) is None]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         readings = [one for one in readings if not cuts_digits(words, one, self.matcher.grammar.language)]
         if not self._telling.isdisjoint(words):

@@ -73,23 +73,31 @@ class WaysOn:
                 return False
         return True
 
-    def behind_a_name(self, reading: Reading, breaks: Sequence[bool | None]) -> Utterance | None:
-        """The words of a reading without those that end what is free of it, behind a verb of bringing or putting: of
-        "bring a bucket up to room 12" no bucket is called "bucket up". None: there are none."""
+    def behind_a_name(self, reading: Reading) -> range | None:
+        """Where such words end what is free of a reading, behind a verb of bringing or putting: of "bring a bucket up
+        to room 12" no bucket is called "bucket up". None: there are none."""
         words = reading.words
         for slot in reading.slots:
             free = slot.slot.type in FREE_KINDS and not slot.slot.dictation
             if not free or slot.end == len(words) or words[slot.end - 1] not in self._any:
                 continue
-            brings = self._leads(words, slot.end - 1) and not self._brings.isdisjoint(words[: slot.start])
-            if not (brings or self._switches(words, slot.end - 1)):
+            before = words[: slot.start]
+            brings = self._leads(words, slot.end - 1) and not self._brings.isdisjoint(before)
+            over = slot.end + 1 == len(words) or any(one.start == slot.end for one in reading.slots)
+            switches = words[slot.end - 1] in self._back and words[slot.end] in _of_verb(before, self._particles)
+            if not (brings or (over and switches)):  # "play baby come back on the radio"
                 continue
             begin = next((at for at in range(slot.start, slot.end) if words[at] not in self._articles), slot.end)
             if self._any.issuperset(words[begin : slot.end]) or words[begin : slot.end] in slot.slot.known_names:
                 continue  # "the back up", "a 7 up"
             start = next(at for at in range(slot.end, begin, -1) if words[at - 1] not in self._any)
-            return Utterance([*words], [*breaks] or [False] * len(words)).cut(start, slot.end)
+            return range(start, slot.end)
         return None
+
+    def may_be_a_name(self, words: Sequence[str], way: range) -> bool:
+        """Whether a word and what stands behind it may be a thing together: "the print out", "the pick up"."""
+        own = self._particles.get(words[way.start - 1], frozenset[str]())
+        return words[way.start] in own
 
     def _leading(self, reading: Reading, ways: Collection[str]) -> set[int]:
         """Where some words lead to a place: of a slot, or one that the sentence names itself ("to base")."""
