@@ -8,13 +8,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["WaysOn"]
 
-_PLACES = ("location", "choice")
+_PLACES = ("location", "choice", "object")
 _NUMBERED = ("number", "ordinal")
 _MOST_ARTICLES = 1
 _MOST_IN_A_NAME = 3
@@ -29,6 +30,7 @@ class WaysOn:
         self._words = wording.ways_on
         self._to = wording.ways_to
         self._back = {words[0] for words in wording.ways_back if len(words) == 1}
+        self._up = wording.up_to
         self._into = wording.back_into
         self._puts = wording.puts
         self._brings = wording.brings
@@ -59,10 +61,18 @@ class WaysOn:
             return False
         if any(not left_out.isdisjoint(opposed(word, self._language)) for word in left_out):
             return False
+        names = {words[way.start - 1] for way in ways if self.may_be_a_name(words, way)}
         switched, led = set[str](), Counter[str]()
         for reading in readings:
-            free = {at for slot in reading.slots if slot.slot.type in FREE_KINDS for at in range(slot.start, slot.end)}
-            switched |= {word for at, word in enumerate(reading.words) if at not in free}
+            if any(reading.words[slot.end - 1] in names for slot in reading.slots if slot.slot.type in FREE_KINDS):
+                return False
+            own = self._particles.get(reading.words[0], frozenset[str]())
+            free = [slot for slot in reading.slots if slot.slot.type in FREE_KINDS]
+            listed = {at for slot in reading.slots if slot not in free for at in range(slot.start, slot.end)}
+            within = {at for slot in free for at in range(slot.start, slot.end)}
+            switched |= {
+                word for at, word in enumerate(reading.words) if at in listed or (at not in within and word in own)
+            }
             places = self._leading(reading, {words[way.stop] for way in ways})
             led.update(reading.words[place] for place in places)
         for way in ways:
@@ -88,7 +98,9 @@ class WaysOn:
             if not (brings or (over and switches)):  # "play baby come back on the radio"
                 continue
             begin = next((at for at in range(slot.start, slot.end) if words[at] not in self._articles), slot.end)
-            if self._any.issuperset(words[begin : slot.end]) or words[begin : slot.end] in slot.slot.known_names:
+            name = words[begin : slot.end]
+            named = [word for word in name if word not in self._any and not is_number(word, self._language)]
+            if not named or name in slot.slot.known_names:
                 continue  # "the back up", "a 7 up"
             start = next(at for at in range(slot.end, begin, -1) if words[at - 1] not in self._any)
             return range(start, slot.end)
@@ -139,6 +151,8 @@ class WaysOn:
         word, after = words[at], words[at + 1]
         if at + 2 == len(words):
             return False
+        if word in self._up and is_number(words[at + 2], self._language):
+            return False  # "down to ten": the amount tells the way
         if after not in self._into:
             particle = word in self._switched and word in _of_verb(words[:at], self._particles)
             return word in self._words and after in self._to and not particle  # "turn the lamp on to ..."
