@@ -38,7 +38,7 @@ __all__ = ["OtherWords"]
 _One = TypeVar("_One")
 _MOST_WORDS = 20
 """Words of an utterance that is put otherwise,"""
-_MOST_WAYS = 20
+_MOST_WAYS = 32
 """ways that are tried, since a long sentence of somebody else has no end of them,"""
 _MOST_PLACED = 48
 """of these with something in another place,"""
@@ -64,9 +64,9 @@ class OtherWords:
             Merely(grammar, phrases).ways,
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
+            Sides(grammar, own).ways,
             UpTo(grammar).ways,
             LedAmounts(grammar, own).ways,
-            Sides(grammar, own).ways,
         )
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)

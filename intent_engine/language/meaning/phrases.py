@@ -72,8 +72,8 @@ class Phrases:
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence, wording.no_joints)
         self._later = PhraseSet(operators.later)
-        besides = (words for words in wording.besides if words in operators.later)
-        self._later_at_last = PhraseSet(words for words in besides if own.isdisjoint(words))
+        self.later_at_last = PhraseSet({*wording.besides} & {*operators.later}, wording.no_joints)
+        """What says behind a command that something else is done first: "turn left *next*"."""
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
         self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
@@ -283,12 +283,6 @@ class Phrases:
         word may stand before them."""
         words = words[self.after_wake(words) :]
         position = self.fillers.after(words, 0)
-        at_last = self._later_at_last.find(words, 1)
-        while at_last is not None:
-            end = sum(at_last)
-            if self.fillers.cover(words[end:]) or self.sequence.at(words, end):
-                return True  # "go to the kitchen next"
-            at_last = self._later_at_last.find(words, end)
         return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
 
     def takes_back(self, words: Sequence[str]) -> bool:
