@@ -184,3 +184,16 @@ def test_a_place_that_is_not_on_the_map_is_still_told_of_a_way() -> None:
 def test_a_robot_that_moves_is_held_by_who_agrees_as_well(shed: IntentEngine, said: str) -> None:
     assert shed.parse(said, state=["moving"]).stops
     assert not shed.parse(said).actions
+
+
+@pytest.mark.parametrize("said", ["pick up the red box one more time", "pick up the red box again"])
+def test_how_often_is_no_part_of_a_thing(engine_of, said: str) -> None:
+    engine = engine_of("""
+language: en
+slots: {thing: object, song: {type: text, max_words: 4}}
+intents:
+  pick: {action: custom, sentences: ["pick up [the] {thing}"]}
+  play: {action: custom, sentences: ["play {song}"]}
+""")
+    assert engine.parse(said).slots == {"thing": "red box"}
+    assert engine.parse("play baby one more time").slots == {"song": "baby one more time"}
