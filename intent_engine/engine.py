@@ -15,6 +15,7 @@ from intent_engine.language.context.understanding import Understanding
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
+from intent_engine.language.meaning.comes_later import comes_later
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.utterance import plain
 from intent_engine.needs import MOVING, states_of
@@ -237,11 +238,12 @@ class IntentEngine:
         return self._interpreter(language).dictated(text)
 
     def comes_later(self, text: str, *, language: str | None = None) -> bool:
-        """Whether a text begins with words that say that something else is done first: "then turn left", "when you get
-        there, turn left". Fillers may stand before several such words, but not before one: "okay then, turn left"."""
+        """Whether a text begins with words that say that something else is done first, or its first command ends with
+        them: "then turn left", "when you get there, turn left", "turn left next". Fillers may stand before several such
+        words, but not before one: "okay then, turn left"."""
         _only_text("comes_later", text)
         parsers = self._loaded.parsers(language)
-        return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
+        return any(comes_later(plain(text), parser.phrases, parser.matcher) for parser in parsers)
 
     def takes_back(self, text: str, *, language: str | None = None) -> bool:
         """Whether a text begins with words that take back what was said before: "no", "I mean". Whatever it means

@@ -31,7 +31,7 @@ GRAMMARS = {
     **{file.stem: (file, LOCATIONS / "home.yaml") for file in sorted((ROOT / "grammars").glob("*.yaml"))},
     "de": (ROOT / "grammars" / "de.yaml", LOCATIONS / "zuhause.yaml"),
 }
-IDIOMS = ("go ahead and", "go and")
+IDIOMS = ("go ahead and", "go on and", "go and")
 """Fillers that a command with its verb and a joint would be as well, and hardly ever are."""
 
 

@@ -26,6 +26,8 @@ class Wording:
     """Those that say when before a time: "*in* ten minutes", but "*in* German"."""
     besides: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
+    no_joints: tuple[tuple[str, ...], ...] = ()
+    """What begins like a joint and is none: "*next to* the door"."""
     in_its_place: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
@@ -108,7 +110,9 @@ class Wording:
     sides: tuple[str, ...] = ()
     """Words for one way, each with the others for it: "left/to the left"."""
     up_to: frozenset[str] = frozenset()
-    """Which way something goes until it is so much: "*up* to ten percent"."""
+    """Which way something goes until it is so much: "*up* to ten percent","""
+    in_to: frozenset[str] = frozenset()
+    """and behind a verb that has it: "zoom *in* to ten percent"."""
     sized: frozenset[str] = frozenset()
     """What may stand behind how long something is: "two meters *deep*"."""
     levels: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -155,8 +159,14 @@ class Wording:
     """and before what can be done then: "so that *I can* see"."""
     merely: tuple[tuple[str, ...], ...] = ()
     """What says no more before so much: "go *just* two meters", "to, *let's say*, two"."""
+    roughly: tuple[tuple[str, ...], ...] = ()
+    """What says no more behind so much: "for a minute *or so*"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
+    puts: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Verbs, each with words that say no more before one of ``back_into``: "put it *down* in the tray"."""
+    brings: frozenset[str] = frozenset()
+    """Verbs behind which a thing of any words ends with none of these: "bring an ice bucket *up* to room 412"."""
     back_into: frozenset[str] = frozenset()
     """Prepositions of where something is put, before which the way back says no more: "put it *back* on the shelf"."""
     ways_to: frozenset[str] = frozenset()

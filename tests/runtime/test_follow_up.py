@@ -43,6 +43,10 @@ def test_where_a_correction_stands(follow_up, text, begins, only, ends):
         ("and turn left", True, False),
         ("when you get there turn left", True, True),
         ("turn left and then go forward", False, False),
+        ("turn left next, please", False, True),
+        ("turn left after that", False, True),
+        ("turn left next and go forward", False, True),
+        ("turn left next to it", False, False),
         ("turn left", False, False),
     ],
 )

@@ -6,13 +6,14 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Stop
-from intent_engine.language.continuation import MANNER
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.not_commands.share_of_a_turn import share_of_a_turn
 from intent_engine.language.meaning.not_commands.sign_and_side import sign_and_side
+from intent_engine.language.meaning.problems import far_off, problem_rank, tells_what
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.meaning.wordings.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
@@ -29,6 +30,7 @@ _STEM = 3
 """Letters with which a verb begins in each of its forms."""
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
+_NAME_OR_WAY = "{!r} may be a thing, or {!r} say where it goes; say it without"
 _NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
@@ -40,6 +42,7 @@ class Commands:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
         self._whose_place = WhosePlace(matcher)
+        self._ways_on = WaysOn(matcher.grammar)
         self._plurals = Plurals(matcher.grammar, lambda: self.first_words)
         known = thing_words(matcher.grammar.language)
         self.not_verbs = ARTICLES | known.articles | known.alone
@@ -56,6 +59,9 @@ class Commands:
         each word, as in an utterance.
         """
         readings = self.readings(words, after)
+        free = readings and readings[0].free_words and not after
+        if free and (clause := self._without_way(readings[0], state, breaks)) is not None:
+            return clause
         if readings and readings[0].free_words and (counted := self._counted(words, readings[0], after)):
             readings = counted
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
@@ -69,6 +75,20 @@ class Commands:
                 return Clause(readings[0], reason=_PARTED.format(apart), at_fault=(apart,))
             readings = [reading for reading, command in zip(readings, parted, strict=True) if not command]
         return self._choose(readings, state) if readings else None
+
+    def _without_way(self, reading: Reading, state: Collection[str], breaks: Sequence[bool | None]) -> Clause | None:
+        """The command without words that say no more of a way than it does, and are no part of the thing before them;
+        None: it is none so."""
+        way = self._ways_on.behind_a_name(reading)
+        if way is None:
+            return None
+        words = reading.words
+        said = [*words[: way.start], *words[way.stop :]]
+        clause = self.exact(said, state, breaks=[*breaks[: way.start], *breaks[way.stop :]])
+        if clause is None or not clause.accepted or not self._ways_on.may_be_a_name(words, way):
+            return clause
+        name = " ".join(words[way.start - 1 : way.stop])
+        return Clause(reading, reason=_NAME_OR_WAY.format(name, words[way.start]), at_fault=(name,))
 
     def readings(self, words: list[str], after: str = "") -> list[Reading]:
         """All ways to understand words as a sentence or a pattern, the best first; ``after`` as in :meth:`exact`."""
@@ -220,6 +240,7 @@ class Commands:
         ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
+        readings = [one for one in readings if not one.free_words or self._ways_on.behind_a_name(one) is None]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         readings = [one for one in readings if not cuts_digits(words, one, self.matcher.grammar.language)]
         if not self._telling.isdisjoint(words):
@@ -232,7 +253,7 @@ class Commands:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
-        wrong = [one for one in readings if one.problem and _tells_what(one) and not _far_off(one)]
+        wrong = [one for one in readings if one.problem and tells_what(one) and not far_off(one)]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -243,7 +264,7 @@ class Commands:
                 and reading.score > best.score - 0.08
             ]
             return self._choose([best, *(reading for reading in level if reading is not best), *wrong], state)
-        return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
+        return self._choose([min(wrong, key=problem_rank)], state) if wrong else None
 
     def _tells_of(self, words: Sequence[str]) -> bool:
         """Whether the first word says that somebody does or did what a command says in its list of verbs: "opens the
@@ -364,29 +385,6 @@ def _beyond_limits(best: Reading, readings: Sequence[Reading]) -> Reading | None
         ),
         None,
     )
-
-
-def _problem_rank(reading: Reading) -> tuple[int, int, float]:
-    """Which failure tells most: an ambiguous name, then a limit, then a place that is not on the map, since places are
-    called anything and values of a list are not ("go to room 206" is no turn); then the fewest words not understood."""
-    order = {"ambiguous": 0, "limit": 1}
-    slot = next(slot for slot in reading.slots if slot.problem)
-    nearest = slot.rivals[0][1] if slot.rivals else 0.0
-    rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
-    return rank, slot.end - slot.start, -nearest
-
-
-def _tells_what(reading: Reading) -> bool:
-    """Whether more was heard as it is than how something is to be done: "slow down" has no direction called "down"."""
-    manner = sum(slot.end - slot.start for slot in reading.slots if slot.slot.type in MANNER and not slot.problem)
-    return reading.heard_exactly > manner
-
-
-def _far_off(reading: Reading) -> bool:
-    """Whether an amount is beyond its limits and something else is not understood either: "to the kitchen" is no turn
-    by two degrees to a side called "kitchen"."""
-    problems = [slot.status for slot in reading.slots if slot.problem]
-    return len(problems) > 1 and "limit" in problems
 
 
 def _changes(reading: Reading) -> str:

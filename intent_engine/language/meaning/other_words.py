@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import islice
+from typing import TypeVar
 
 from intent_engine.actions import Action
 from intent_engine.language.grammar import FREE_KINDS
@@ -13,6 +14,7 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
 from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
+from intent_engine.language.meaning.wordings.merely import Merely
 from intent_engine.language.meaning.wordings.named_first import NamedFirst
 from intent_engine.language.meaning.wordings.nouns_with_of import NounsWithOf
 from intent_engine.language.meaning.wordings.particles import Particles
@@ -22,6 +24,7 @@ from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.sides import Sides
+from intent_engine.language.meaning.wordings.up_to import UpTo
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verbless import Verbless
 from intent_engine.language.meaning.wordings.wished_done import WishedDone
@@ -33,11 +36,12 @@ from intent_engine.language.words.opposites import opposed
 
 __all__ = ["OtherWords"]
 
+_One = TypeVar("_One")
 _MOST_WORDS = 20
 """Words of an utterance that is put otherwise,"""
-_MOST_WAYS = 20
+_MOST_WAYS = 32
 """ways that are tried, since a long sentence of somebody else has no end of them,"""
-_MOST_PLACED = 16
+_MOST_PLACED = 48
 """of these with something in another place,"""
 _MOST_PARTED = 4
 """and with a particle there."""
@@ -58,11 +62,13 @@ class OtherWords:
         self._phrases = phrases
         self._language = grammar.language
         self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
+            Merely(grammar, phrases).ways,
             NounsWithOf(grammar, own).ways,
             Pointing(grammar, own).ways,
             IdleParticles(grammar).ways,
-            LedAmounts(grammar, own, phrases).ways,
             Sides(grammar, own).ways,
+            UpTo(grammar).ways,
+            LedAmounts(grammar, own).ways,
         )
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)
@@ -101,17 +107,22 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
-        wished = [*self._wished.ways(part, verbs), *self._wished_done.ways(part, verbs, asks=asks)]
+        done = list(self._wished_done.ways(part, verbs, asks=asks))
+        wished = [done, list(self._wished.ways(part, verbs))]
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it
             # As a whole it was tried with something in another place already.
             ways = self._ways([Rewording(part)], placed=len(part) < len(said))[1:]
             found = self._one_of(ways, part, state)
-            if found is not None or not wished:  # "get the pump switched off", of a grammar that gets things, too
+            if found is not None or not any(wished):  # "get the pump switched off", of a grammar that gets things, too
                 return found
         if asks:
-            return self._one_of(wished, part, state)
-        ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished
-        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
+            return self._one_of([*wished[0], *wished[1]], part, state)
+        last = list(self._verb_last.ways(part, verbs, self._begins))
+        for ordered in [last] if last else wished:
+            found = self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
+            if found is not None:
+                return found
+        return None
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""
@@ -136,10 +147,9 @@ class OtherWords:
         for kind in self._kinds:
             for before in tuple(ways):
                 ways += [before.then(way) for way in islice(kind(before.said), max(0, _MOST_WAYS - len(ways)))]
-        moved: list[Rewording] = []
-        for before in sorted(ways[0 if placed else len(found) :], key=lambda way: len(way.said)):  # the plainest first
-            moved += [before.then(way) for way in islice(self._placed(before.said), _MOST_PLACED - len(moved))]
-        return [*ways, *moved]
+        plainest = sorted(ways[0 if placed else len(found) :], key=lambda way: len(way.said))
+        moved = _in_turns([map(before.then, self._placed(before.said)) for before in plainest])
+        return [*ways, *islice(moved, _MOST_PLACED)]
 
     def _is_meant(self, way: Rewording, clause: Clause, said: Utterance) -> bool:
         """Whether a command that was found in other words is what was said."""
@@ -169,3 +179,15 @@ def _keeps_free_words(said: Utterance, reading: Reading) -> bool:
     words = f" {' '.join(said.words)} "
     free = (reading.words[slot.start : slot.end] for slot in reading.slots if slot.slot.type in FREE_KINDS)
     return all(f" {' '.join(one)} " in words for one in free)
+
+
+def _in_turns(several: Sequence[Iterator[_One]]) -> Iterator[_One]:
+    """The first of each, then the second of each, and so on."""
+    while several:
+        going = []
+        for one in several:
+            for item in one:
+                yield item
+                going.append(one)
+                break
+        several = going

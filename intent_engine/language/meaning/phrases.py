@@ -41,6 +41,8 @@ class Phrases:
         self._articles = thing_words(grammar.language).articles
         self.merely = PhraseSet(wording.merely)
         """What says no more before so much, in whatever pauses."""
+        self.roughly = PhraseSet(wording.roughly)
+        """The same behind it: "two minutes *or so*"."""
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
         counted = [words for words in grammar.counted if not own.issuperset(words)]
@@ -55,8 +57,8 @@ class Phrases:
         comparing = (words for words in operators.negation if not wording.compares.isdisjoint(words))
         compared = frozenset(words for words in comparing if own.issuperset(words) and in_a_row(grammar, words))
         negation = [words for words in operators.negation if words not in compared]
-        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
-        """Operators, of which no filler takes a part."""
+        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation, *wording.roughly))
+        """Operators and the like, of which no filler takes a part."""
         self._operators = PhraseSet(
             (*operators.stop, *operators.sequence, *operators.contrast, *operators.correction, *operators.cancel,
              *negation)
@@ -70,8 +72,10 @@ class Phrases:
         """One of them, for what corrects in other words: "wrong way, the lab"."""
         self.in_its_place = PhraseSet(wording.in_its_place)
         self.cancel = PhraseSet(operators.cancel)
-        self.sequence = PhraseSet(operators.sequence)
+        self.sequence = PhraseSet(operators.sequence, wording.no_joints)
         self._later = PhraseSet(operators.later)
+        self.later_at_last = PhraseSet({*wording.besides} & {*operators.later}, wording.no_joints)
+        """What says behind a command that something else is done first: "turn left *next*"."""
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
         self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))

@@ -105,6 +105,7 @@ class WrittenOtherwise:
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
+        self._besides = PhraseSet(wording.besides)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
@@ -166,6 +167,7 @@ class WrittenOtherwise:
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
         yield from self._reasons.without(core, self._commands.verbs)
+        yield self._but_for_besides(core)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)
@@ -177,6 +179,12 @@ class WrittenOtherwise:
             yield self._asking.told(asked) or asked
         elif kindly:
             yield self._asking.told(core)
+
+    def _but_for_besides(self, core: Utterance) -> Utterance | None:
+        """What was said but for an "as well" at its end, which sounds like no word of a sentence; None: it has none."""
+        length = self._besides.ends(core.words)
+        alike = self._matcher.alikes.get(core.words[-1]) if core.words else None
+        return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -299,9 +307,13 @@ class WrittenOtherwise:
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
-        found = self._understood_as(text, core, self._ways_on.without(core), state)
-        return found if found is not None and self._ways_on.means(core, _readings(found)) else None
+        """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
+        "turn the lamp on"."""
+        for other in self._ways_on.without(core):
+            found = self._understood_as(text, core, other, state)
+            if found is not None:
+                return found if self._ways_on.means(core, _readings(found)) else None
+        return None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of

@@ -41,6 +41,8 @@ class FreeText:
         self._pointing = {words[0] for words in operators.pronoun if len(words) == 1}
         """Words for a thing that was named before."""
         self._fillers = PhraseSet(grammar.fillers)
+        counting = {word for words in grammar.counting for word in words}
+        self._once_more = PhraseSet([word for word in one if word not in counting] for one in grammar.wording.once_more)
         telling = {*grammar.wording.greetings, *grammar.wording.agreeing}
         self._idle = PhraseSet(words for words in grammar.fillers if words not in telling)
         """Fillers that tell nobody anything: "please", "now"."""
@@ -200,6 +202,8 @@ class FreeText:
         allowed = slot.allow
         if never := self._words.never.intersection(said) - allowed - slot.known - self._words.either:
             return never
+        if 0 < (again := self._once_more.ends(said)) < len(said):
+            return frozenset((" ".join(said[-again:]),))
         bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some
         if bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
@@ -209,12 +213,9 @@ class FreeText:
             led = bool(slot.known) and said[place - 1] in self._words.pronouns  # else there may be an "us flag"
             if led and not where and word not in allowed:
                 return frozenset((word,))
-            if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
+            besides = (word in self._words.pronouns or word in self._begun) and word not in allowed
+            if (besides or word in self._words.telling) and said[place - 1] not in self._binding:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
-            if word in self._begun and said[place - 1] not in self._binding and word not in allowed:
-                return frozenset((word,))
-            if word in self._words.telling and said[place - 1] not in self._binding:
-                return frozenset((word,))
             last = place == len(said) - 1
             begins = word in self._words.next_begins and not (last and len(word) == 1)  # "box a" has a letter
             if begins and (last or said[place - 1] not in self._binding):

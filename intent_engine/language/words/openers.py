@@ -99,7 +99,8 @@ class Openers:
             if place is not None and place is not TextPlace.OUTSIDE:
                 return self._belongs(said, position, length, end, place, paused=paused)
         if self.around.at(said.words, position) == length:
-            return not any(map(self._counts, said.words[position + length : position + length + 1]))
+            end = self.around.after(said.words, position + length)  # "about another ten"
+            return not any(map(self._counts, said.words[end : end + 1]))
         if before and self.greetings.at(said.words, position) == length:
             return (not paused or self.again.ends(before) > 0) and self._begins_name(said, position, length, before)
         if self.phrases.at(said.words, position) != length:

@@ -9,9 +9,16 @@ __all__ = ["PhraseSet", "SomePhrases"]
 
 
 class PhraseSet:
-    """Phrases of whole words, found at a position, longest first."""
+    """Phrases of whole words, found at a position, longest first.
 
-    def __init__(self, phrases: Iterable[Sequence[str]]) -> None:
+    Args:
+        phrases: their words.
+        but: others, where one of which begins none of these does.
+    """
+
+    def __init__(self, phrases: Iterable[Sequence[str]], but: Iterable[Sequence[str]] = ()) -> None:
+        others = tuple(but)
+        self._but = PhraseSet(others) if others else None
         self._by_first: dict[str, list[tuple[str, ...]]] = {}
         for words in sorted({tuple(words) for words in phrases if words}, key=len, reverse=True):
             self._by_first.setdefault(words[0], []).append(words)
@@ -27,16 +34,15 @@ class PhraseSet:
         """Length of the longest phrase that begins at a position; 0 for none."""
         for phrase in self._by_first.get(words[position], ()) if position < len(words) else ():
             if tuple(words[position : position + len(phrase)]) == phrase:
-                return len(phrase)
+                return 0 if self._but is not None and self._but.at(words, position) else len(phrase)
         return 0
 
     def lengths_at(self, words: Sequence[str], position: int) -> list[int]:
         """Lengths of all phrases that begin at a position, longest first."""
-        return [
-            len(phrase)
-            for phrase in (self._by_first.get(words[position], ()) if position < len(words) else ())
-            if tuple(words[position : position + len(phrase)]) == phrase
-        ]
+        begun = self._by_first.get(words[position], ()) if position < len(words) else ()
+        if begun and self._but is not None and self._but.at(words, position):
+            return []
+        return [len(phrase) for phrase in begun if tuple(words[position : position + len(phrase)]) == phrase]
 
     def after(self, words: Sequence[str], position: int) -> int:
         """Where the words go on behind all phrases that stand at a position, one after the other."""

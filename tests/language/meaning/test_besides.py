@@ -39,6 +39,19 @@ def shed(engine_of) -> IntentEngine:
         ("and also light the red lamp as well, please", "light the red lamp"),
         ("light the red lamp as well and then ring", "light the red lamp and then ring"),
         ("ring for ten seconds as well", "ring for ten seconds"),
+        ("light the red lamp next, please", "light the red lamp"),
+        ("light the red lamp next, then ring", "light the red lamp, then ring"),
+        ("light the red lamp and ring after that", "light the red lamp and ring"),
+        ("could you light that red lamp afterwards", "light the red lamp"),
+        ("light your red lamp as well", "light the red lamp"),
+        ("let's get the red lamp lit again", "light the red lamp"),
+        ("tilt the shelf one more time", "tilt the shelf"),
+        ("ring as soon as possible", "ring"),
+        ("go on and light the red lamp", "light the red lamp"),
+        ("let me see you light the red lamp", "light the red lamp"),
+        ("it would be great if you could just light the red lamp", "light the red lamp"),
+        ("first of all, would you mind lighting the red lamp", "light the red lamp"),
+        ("you'd better light the red lamp now", "light the red lamp"),
         ("yes, light the red lamp", "light the red lamp"),
         ("sure, light the red lamp and ring", "light the red lamp and ring"),
         ("Perfect. Ring for ten seconds!", "ring for ten seconds"),
@@ -71,6 +84,21 @@ def test_it_is_the_same_command(shed: IntentEngine, said: str, plain: str) -> No
     [
         "don't light the red lamp too",
         "light the red lamp as well as you can",
+        "light the red lamp next to the blue lamp",
+        "light the red lamp, next to the blue lamp",
+        "light the red lamp next week",
+        "the red lamp is next",
+        "they light the red lamp next",
+        "light one more time",
+        "ring for one more time",
+        "as soon as possible",
+        "as soon as the red lamp is lit ring",
+        "let me see the red lamp",
+        "let me see if you light the red lamp",
+        "you'd better light the red lamp",
+        "you'd better light the red lamp now?",
+        "you'd better not light the red lamp now",
+        "he'd better light the red lamp now",
         "light as well",
         "too",
         "yes light",
@@ -156,3 +184,16 @@ def test_a_place_that_is_not_on_the_map_is_still_told_of_a_way() -> None:
 def test_a_robot_that_moves_is_held_by_who_agrees_as_well(shed: IntentEngine, said: str) -> None:
     assert shed.parse(said, state=["moving"]).stops
     assert not shed.parse(said).actions
+
+
+@pytest.mark.parametrize("said", ["pick up the red box one more time", "pick up the red box again"])
+def test_how_often_is_no_part_of_a_thing(engine_of, said: str) -> None:
+    engine = engine_of("""
+language: en
+slots: {thing: object, song: {type: text, max_words: 4}}
+intents:
+  pick: {action: custom, sentences: ["pick up [the] {thing}"]}
+  play: {action: custom, sentences: ["play {song}"]}
+""")
+    assert engine.parse(said).slots == {"thing": "red box"}
+    assert engine.parse("play baby one more time").slots == {"song": "baby one more time"}

@@ -45,6 +45,7 @@ def engine(engine_of) -> IntentEngine:
         ("search about cars", [{"subject": "about cars"}]),
         ("search my keys for now", [{"subject": "my keys"}]),
         ("go back for now", [{"way": "back"}]),
+        ("go on and go back", [{"way": "back"}]),
         ("ring from now on", [{}]),
     ],
 )

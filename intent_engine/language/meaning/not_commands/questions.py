@@ -42,10 +42,15 @@ class Questions:
             spoken: whether a recogniser wrote it.
         """
         return bool(_ASKED.search(text)) and (
-            (not spoken and self._lists_only(parts) and not self._phrases.requests(said.words))
+            (not spoken and self._lists_only(parts) and not self._requests(said))
             or self._asks_at_last(said, parts)
             or any(map(self._asks_whether, parts))
         )
+
+    def _requests(self, said: Utterance) -> bool:
+        """Whether words ask for what follows in one breath: "could you climb a bit?", but not "can you, right?"."""
+        begins = self._phrases.after_opening(said.words)
+        return self._phrases.requests(said.words) and not any(said.breaks[begins : begins + 1])
 
     def _lists_only(self, parts: Collection[Clause]) -> bool:
         """Whether something is told to be done, and no word of it is a verb that tells it: "right", "two meters

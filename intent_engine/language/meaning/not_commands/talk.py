@@ -43,6 +43,7 @@ class Talk:
         self._more_than_now = MoreThanNow(grammar)
         self._besides = PhraseSet(grammar.wording.besides)
         self._commands = commands
+        self._ways = frozenset(way for said in grammar.wording.sides for way in said.split("/"))
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
         """Why it is a question, may be a saying, is said to somebody else, or leaves a value open; empty: it is none of
@@ -130,7 +131,8 @@ class Talk:
             return ""
         if not found.actions or found.stops:
             return ""
-        told = told_as_done(said.words, parts, self._alikes, self._language) if typed else None
+        words = [word for word in said.words if word not in self._ways]  # "forwards" is no form of a verb
+        told = told_as_done(words, parts, self._alikes, self._language) if typed else None
         if told is not None:
             return f"{told[0]!r} tells what somebody does or did; a command says {told[1]!r}"
         if condition := self._conditions.within(said, parts):

@@ -22,7 +22,8 @@ class AskedForDoing:
         polite = bool(grammar.fillers)  # without any a command is what its sentences say
         self._asks_for_doing = PhraseSet(grammar.wording.asks_for_doing if polite else ())
         self._asks_to_do = PhraseSet(grammar.wording.asks_to_do if polite else ())
-        self._before = PhraseSet((*grammar.fillers, *grammar.wake))
+        operators = grammar.operators
+        self._before = PhraseSet((*grammar.fillers, *grammar.wake, *operators.opener, *operators.sequence))
         self._phrases = phrases
         self._commands = commands
         self._language = grammar.language
@@ -38,6 +39,7 @@ class AskedForDoing:
             if found is None or not self._before.cover(said.words[: found[0]]):
                 continue
             start = self._phrases.fillers.after(said.words, sum(found))
+            start += self._phrases.opens(said.words[start:])  # "it would be great if you could *just* lock the door"
             verb = self._doing if asking is self._asks_for_doing else self._to_do
             if verb(said, start) is None:
                 continue

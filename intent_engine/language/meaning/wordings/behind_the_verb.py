@@ -36,6 +36,11 @@ class BehindTheVerb:
         self._gives = wording.gives
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
+        counting = {words[0] for words in matcher.grammar.counting if len(words) == 1}
+        self._shortened = [
+            tuple(word for word in words if word not in counting) for words in wording.once_more if counting & {*words}
+        ]
+        """The same without what is left out as counting something: "one (more) time"."""
         self._of_the_verb = wording.asked | wording.before_verbs
         known = thing_words(self._language).articles
         self._pronouns = {word for (word, *more) in matcher.grammar.operators.pronoun if not more} - known
@@ -76,14 +81,24 @@ class BehindTheVerb:
         return begins or word not in known.joining | known.alone | known.unfinished
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".
-        None: there is no such word, or there are several."""
+        """An utterance without what says, behind a verb or at its end, and once, that it was so before: "mach das Licht
+        *wieder* an". None: there is no such word, or there are several."""
         found = [(at, one) for at in range(len(core)) for one in self._once_more if _is_at(core, at, one)]
+        if not found:
+            found = [(at, one) for at in range(len(core)) for one in self._shortened if self._ends_so(core, at, one)]
         if len(found) != 1:
             return None
         ((at, one),) = found
-        behind = any(word in verbs for word in core.words[:at]) and not core.breaks[at]
+        last = at + len(one) == len(core)
+        behind = not core.breaks[at] and (last or any(word in verbs for word in core.words[:at])) and at > 0
         return core.cut(at, at + len(one)) if behind else None
+
+    def _ends_so(self, core: Utterance, at: int, phrase: Sequence[str]) -> bool:
+        """Whether a command ends with such a phrase, of which a word within was left out."""
+        end = at + len(phrase)
+        if not _is_at(core, at, phrase) or None not in core.breaks[at + 1 : end]:
+            return False
+        return end == len(core) or bool(core.breaks[end]) or self._phrases.sequence.at(core.words, end) > 0
 
     def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where a command may begin, and where its verb stands."""

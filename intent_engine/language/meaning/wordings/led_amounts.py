@@ -3,14 +3,13 @@ of* ten meters", "two liters *a* minute"."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
-from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.wordings.amounts_read import AMOUNTS, Begins, Ends
 from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
-from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -20,7 +19,6 @@ __all__ = ["LedAmounts"]
 _CHANGES = frozenset({"distance", "angle", "number"})
 """What is said to change by so much, and not to be so much: "set the speed" differs from "speed up by"."""
 _LASTS = frozenset({"duration"})
-_AMOUNTS = frozenset({*QUANTITY_KINDS, "number"})
 
 
 class LedAmounts:
@@ -29,10 +27,9 @@ class LedAmounts:
     Args:
         grammar: whose they are.
         own: the words that it is written in.
-        phrases: of the grammar.
     """
 
-    def __init__(self, grammar: Grammar, own: frozenset[str], phrases: Phrases) -> None:
+    def __init__(self, grammar: Grammar, own: frozenset[str]) -> None:
         wording, known, table = grammar.wording, thing_words(grammar.language), units(grammar.language)
         self._wording = wording
         self._around = {words[0] for words in grammar.around if len(words) == 1}
@@ -41,7 +38,6 @@ class LedAmounts:
         self._own = own
         self._contracted = {one: to for one, (to, _) in known.contracted.items() if to in own}
         self._in_two = set(known.contracted.values())
-        self._merely = phrases.merely
         self._by_own = sorted(wording.led_by & own)
         self._lasting_own = sorted(wording.lasting & own)
         self._of_own = sorted(wording.sizes.keys() & own)
@@ -57,48 +53,35 @@ class LedAmounts:
                 yield from self._left_out(core, at)
                 yield from self._put_in(core, at, counts=at in begin)
                 yield from self._exchanged(core, at)
-            if at in begin and (length := self._merely.ends(core.words[:at])) and length < at:
-                breaks = [*core.breaks[: at - length], False, *core.breaks[at + 1 :]]
-                without = Utterance([*core.words[: at - length], *core.words[at:]], breaks)
-                yield Rewording(without, _Begins([core.words[at]], _AMOUNTS, free=False))
 
     def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
         words, wording = core.words, self._wording
         word, after, *_ = (*words[at : at + 2], "")
         if word in wording.sized and word not in self._own:  # "two meters deep", but "zwei Meter hoch" may be a way
-            yield Rewording(core.cut(at, at + 1), _Ends(words[at - 1]))
+            yield Rewording(core.cut(at, at + 1), Ends([words[at - 1]]))
         if any(core.breaks[at + 1 : at + 2]) or not after:
             return
-        without = Rewording(core.cut(at, at + 1), _Begins(words[at + 1 : at + 3], _AMOUNTS))
+        without = Rewording(core.cut(at, at + 1), Begins(words[at + 1 : at + 3], AMOUNTS))
         if word in wording.led_by or word in wording.lasting:
             kinds = _CHANGES if word in wording.led_by else _LASTS
-            yield Rewording(without.said, _Begins([after], kinds))
+            yield Rewording(without.said, Begins([after], kinds))
         if (words[at - 1], word) in self._in_two and is_number(after, self._language):  # "a il venti per cento"
-            yield Rewording(without.said, _Begins([after], {"percent"}))
+            yield Rewording(without.said, Begins([after], {"percent"}))
         if word in self._articles and after in wording.coming and words[at - 1] in wording.lasting:
             yield from self._without_coming(core, at)
         about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
-        up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
-        if about or up_to:
+        if about:
             yield without
         sizes = wording.sizes.get(words[at + 2], ()) if at + 3 < len(words) else ()
         if word in self._articles and after in sizes and not any(core.breaks[at + 2 : at + 4]):
-            yield Rewording(core.cut(at, at + 3), _Begins([words[at + 3]], _AMOUNTS))
+            yield Rewording(core.cut(at, at + 3), Begins([words[at + 3]], AMOUNTS))
 
     def _without_coming(self, core: Utterance, at: int) -> Iterator[Rewording]:
         """ "For *the next* two hours", and "for *the next* hour", which is one."""
         first = core.words[at + 2] if at + 2 < len(core) else ""
         one = [] if is_number(first, self._language) or first not in self._times else ["one"]
         said = core.with_other(at, at + 2, Utterance.in_one_breath(one))
-        yield Rewording(said, _Begins([*one, first], _LASTS))
-
-    def _goes(self, verb: str, way: str) -> bool:
-        """Whether a verb goes that way anyhow. "Raise the boom *down* to a meter" says two things, and "turn the volume
-        *down*" is not to turn it."""
-        ways = self._wording.up_to
-        own = self._wording.particles.get(verb, frozenset[str]()) & ways
-        idle = self._wording.idle_particles.get(verb, frozenset[str]()) & ways
-        return way in idle if idle else not own
+        yield Rewording(said, Begins([*one, first], _LASTS))
 
     def _put_in(self, core: Utterance, at: int, *, counts: bool) -> Iterator[Rewording]:
         words = core.words
@@ -106,7 +89,7 @@ class LedAmounts:
         for leads, kinds in ((self._by_own, _CHANGES), (self._lasting_own, _LASTS)):
             for lead in leads if counts and not led else ():  # "turn thirty degrees", of "turn by {angle}"
                 said = core.with_other(at, at, Utterance.in_one_breath([lead]))
-                yield Rewording(said, _Begins([words[at]], kinds, free=False))
+                yield Rewording(said, Begins([words[at]], kinds, free=False))
         if words[at - 1] in self._measures and words[at] not in self._of_own:
             for of in self._of_own:  # "twenty milliliters lime juice"
                 yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
@@ -117,37 +100,12 @@ class LedAmounts:
         for other in sorted(self._wording.levels.get(words[0], ())) if after else ():  # "set the pressure at two bar"
             if word in self._wording.levels[words[0]] and other != word:
                 said = core.with_other(at, at + 1, Utterance.in_one_breath([other]))
-                yield Rewording(said, _Begins([after], _AMOUNTS))
+                yield Rewording(said, Begins([after], AMOUNTS))
         if word in self._contracted and after and is_number(after, self._language):  # "all'otto per cento"
             said = core.with_other(at, at + 1, Utterance.in_one_breath([self._contracted[word]]))
-            yield Rewording(said, _Begins([after], {"percent"}))
+            yield Rewording(said, Begins([after], {"percent"}))
         for often in self._wording.how_often.get(word, ()):
             yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath(often.split())))
         for other in sorted(self._rates & self._own) if word in self._rates and after in self._times else ():
             if other != word:  # "two liters a minute"
                 yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath([other])))
-
-
-class _Begins:
-    """Whether an amount begins with one of some words; where nothing may be ``free``, words before it could be its."""
-
-    def __init__(self, words: Collection[str], kinds: Collection[str], *, free: bool = True) -> None:
-        self._words = words
-        self._kinds = kinds
-        self._free = free
-
-    def __call__(self, reading: Reading) -> bool:
-        if reading.free_words and not self._free:
-            return False
-        return any(slot.slot.type in self._kinds and reading.words[slot.start] in self._words for slot in reading.slots)
-
-
-class _Ends:
-    """Whether an amount ends with a word."""
-
-    def __init__(self, word: str) -> None:
-        self._word = word
-
-    def __call__(self, reading: Reading) -> bool:
-        ends = (slot.end - 1 for slot in reading.slots if slot.slot.type in _AMOUNTS)
-        return any(reading.words[end] == self._word for end in ends)

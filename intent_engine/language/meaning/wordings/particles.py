@@ -109,9 +109,11 @@ class Particles:
 
 
 def _means(told: Clause, place: int) -> bool:
-    """Whether free words of a command end where its particle stood, or there are none."""
+    """Whether free words of a command end where its particle stood, and do not begin with it, or there are none."""
     reading: Reading | None = told.reading
     if reading is None:
         return False
     free = [slot for slot in reading.slots if slot.slot.type in FREE_KINDS]
-    return all(slot.end <= place or slot.start >= place for slot in free) if place else not free
+    if not place:
+        return not free
+    return all(slot.start > 1 and (slot.end <= place or slot.start >= place) for slot in free)

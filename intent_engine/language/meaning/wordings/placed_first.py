@@ -45,8 +45,8 @@ class PlacedFirst:
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
-        anew = (place for place in range(1, len(words)) if core.breaks[place] is None)
-        if any(is_number(words[place], self._language) for place in anew):
+        counting = [place for place in range(1, len(words)) if is_number(words[place], self._language)]
+        if any(core.breaks[place] is None for place in counting[1:]):
             return  # "five feet, uh, five forward": it may have been said anew
         counted = amounts(words, self._language)
         within = {at for amount in counted for at in amount[1:]}
@@ -55,9 +55,9 @@ class PlacedFirst:
         begins = {amount.start for amount in counted}
         apart = {at for amount in counted if amount.stop not in begins for at in amount[1:]}
         joins = [at not in apart for at in range(len(words))]
-        for begin in range(1, len(words) - 1):
-            if begin in within:
-                continue
+        begun = [begin for begin in range(1, len(words) - 1) if begin not in within]
+        begun.sort(key=lambda begin: not (self._is_led(words, begin) or begin in begins))  # the likeliest first
+        for begin in begun:
             for end in self._ends(words, begin, counts=begin in begins):
                 if end in within:
                     continue
@@ -76,12 +76,16 @@ class PlacedFirst:
     def _ends(self, words: list[str], begin: int, *, counts: bool) -> range:
         """Where what begins at a place may end; further behind the verb it begins with a preposition or a number, or is
         a way."""
-        lead = self._placed.at(words, begin) or (words[begin] in self._leads)
+        lead = self._is_led(words, begin)
         counts |= words[begin] in self._articles
         if not (lead or counts or begin == 1 or words[begin] in self._sides):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2
         return range(begin + 1 + lead, min(len(words), most))
+
+    def _is_led(self, words: list[str], at: int) -> int:
+        """How many words at a place lead to a place or an amount."""
+        return self._placed.at(words, at) or (words[at] in self._leads)
 
     def means(self, reading: Reading, start: int, end: int) -> bool:
         """Whether the words are one value that no free words are said beside, with what leads it, and nothing else."""

@@ -43,11 +43,14 @@ class SaidFirst:
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
             return
         for place in range(1 + led, min(len(words), _MOST + 1)):
-            told = core.part(place, len(core))
+            verb = place + (0 if words[place] in verbs else self._phrases.merely.at(words, place))  # "just hover"
+            told = core.part(verb, len(core))
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
-            if words[place] not in verbs or parted or self._joins(core):
+            if not told.words or told.words[0] not in verbs or parted or self._joins(core):
                 continue
-            yield Utterance.in_one_breath([*told.words, *words[:place]]), range(len(told), len(words))
+            moved = words[:place]
+            for at in (len(told), *(at for at in range(2, len(told)) if told.words[at] in self._leads)):
+                yield Utterance.in_one_breath([*told.words[:at], *moved, *told.words[at:]]), range(at, at + place)
 
     def _joins(self, core: Utterance) -> bool:
         """Whether anything joins two commands: not the "and" of "an hour and a half"."""
@@ -71,7 +74,7 @@ class SaidFirst:
             moved: the places of those that stood elsewhere.
         """
         if reading.words[moved.start] in self._says_when and any(
-            slot.slot.type == "duration" and slot.start >= moved.start for slot in reading.slots
+            slot.slot.type == "duration" and slot.start in moved for slot in reading.slots
         ):
             return False
         return all(
