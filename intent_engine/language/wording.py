@@ -158,6 +158,8 @@ class Wording:
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
     softens: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that soften the order and say nothing of it: "avvia *pure* il programma"."""
+    hurries: tuple[tuple[str, ...], ...] = ()
+    """Words there that only urge to be quick, of a grammar that has no such word: "va *vite* à la cuisine"."""
     vaguely: tuple[tuple[str, ...], ...] = ()
     """Words there that say nothing beside an amount: "tourne *un peu* de dix degrés"."""
     urges: tuple[tuple[str, ...], ...] = ()

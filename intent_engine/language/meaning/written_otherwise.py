@@ -23,6 +23,7 @@ from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
+from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
@@ -31,15 +32,14 @@ from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
 from intent_engine.language.meaning.wordings.taken_up import TakenUp
+from intent_engine.language.meaning.wordings.verb_again import VerbAgain
+from intent_engine.language.meaning.wordings.verb_last import VerbLast
+from intent_engine.language.meaning.wordings.verb_second import VerbSecond
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
-from intent_engine.language.slots.called_by_number import is_called_so, without_number
-from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
-from intent_engine.language.slots.every_unit import every_one, is_every_one
-from intent_engine.language.slots.half_behind import half_before, is_half_of_it
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.owners import owners
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -52,21 +52,6 @@ __all__ = ["WrittenOtherwise"]
 _FORM_AND_VERB = 2
 _UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
 """What is being understood as something else, so that none is tried again within: "kilos" as "kilo", as "kilos"."""
-
-
-def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
-    return True
-
-
-_NUMBERS = (
-    (figures_apart, are_apart),
-    (figures_joined, _always),
-    (every_one, is_every_one),
-    (without_number, is_called_so),
-    (without_of, is_counted_with_of),
-    (half_before, is_half_of_it),
-)
-"""How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
 
 class WrittenOtherwise:
@@ -94,6 +79,9 @@ class WrittenOtherwise:
         wording = self._matcher.grammar.wording
         self._formal = Formal(phrases, commands, wording.formal)
         self._asking = Formal(phrases, commands, wording.asking)
+        self._verb_again = VerbAgain(self._matcher.grammar, phrases)
+        self._verb_last = VerbLast(self._matcher.grammar, vocabulary(self._matcher.grammar))
+        self._verb_second = VerbSecond(self._matcher.grammar, self._asking, self._formal)
         self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
@@ -138,18 +126,20 @@ class WrittenOtherwise:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
+            written = written or self._corrected_before_its_verb(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
             if written is None:
                 written = self._understood_as(text, core, other, state)
-        for otherwise, is_meant in _NUMBERS:
+        for otherwise, is_meant in NUMBERS:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, _readings(written), language):
                     written = None
-        for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
+        further = (self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
+        for rule in (*further, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         if written is None:
@@ -171,6 +161,8 @@ class WrittenOtherwise:
             yield self._asking.told(asked) or asked
         elif kindly:
             yield self._asking.told(core)
+        if kindly:
+            yield from self._verb_second.ways(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -189,6 +181,17 @@ class WrittenOtherwise:
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
         return None
+
+    def _corrected_before_its_verb(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has "stell den Kopf auf {angle}"."""
+        if "?" in text or self._phrases.correction.find(core.words[:-1], 1) is None:
+            return None
+        found: dict[tuple[Action, ...], Understood] = {}
+        for way in self._verb_last.corrected(core, self._commands.verbs):
+            one = self._understood_as(text, core, way.said, state)
+            if one is not None and all(map(way.is_meant, _readings(one))):
+                found.setdefault(one[0].actions, one)
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
@@ -255,7 +258,13 @@ class WrittenOtherwise:
         slowly" of one that has "slowly turn the crank"."""
         rule, verbs = self._said_first, self._commands.verbs
         ways = (*rule.verb_first(core, verbs), *rule.manner_first(core))
-        return self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
+        found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
+        if found is not None:
+            return found
+        behind = list(rule.behind_the_verb(core, verbs))  # "im Flur dimme das Licht auf zehn Prozent"
+        found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in behind], state)
+        placed = {one[0].actions: one for one in (self._placed_later(text, way, state) for way, _ in behind) if one}
+        return found or (next(iter(placed.values())) if len(placed) == 1 else None)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
@@ -291,6 +300,11 @@ class WrittenOtherwise:
         ways = self._taken_up.ways(core, self._commands.verbs)
         found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
         return next(iter(found.values())) if len(found) == 1 else None
+
+    def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
+        found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
+        return found if found is not None and self._verb_again.means(_readings(found)) else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
