@@ -135,8 +135,20 @@ class Wording:
     """How somebody tells what may be done, each with the fillers that make an order of it: "*you can* land *now*","""
     pleads: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """and how he asks whether it may: "*can we* start, *please*?"."""
-    reasons: tuple[tuple[str, ...], ...] = ()
-    """How somebody begins to tell why, behind a command and a pause: "turn the lamp on, *it's getting* dark"."""
+    tells_of: tuple[tuple[str, ...], ...] = ()
+    """How somebody begins to tell why something is to be done: "*it is* dark, turn the lamp on","""
+    tells_of_a: frozenset[str] = frozenset()
+    """what may stand before a thing of which he tells: "*my* feet are cold","""
+    tells_how: frozenset[str] = frozenset()
+    """and the verb behind it: "my feet *are* cold"."""
+    tells_a_tale: frozenset[str] = frozenset()
+    """Words with which the same tells no reason: "he is *saying* turn left"."""
+    why: tuple[tuple[str, ...], ...] = ()
+    """What says before such a telling that it is a reason: "*because* it's dark","""
+    why_of: tuple[tuple[str, ...], ...] = ()
+    """before a thing: "*because of* the trees","""
+    why_to: tuple[tuple[str, ...], ...] = ()
+    """and before what can be done then: "so that *I can* see"."""
     merely: tuple[tuple[str, ...], ...] = ()
     """What says no more before so much: "go *just* two meters", "to, *let's say*, two"."""
     ways_on: frozenset[str] = frozenset()

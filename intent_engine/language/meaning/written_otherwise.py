@@ -92,7 +92,7 @@ class WrittenOtherwise:
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
-        self._reasons = Reasons(wording, phrases, self._matcher.grammar.operators.closed)
+        self._reasons = Reasons(self._matcher, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
@@ -149,7 +149,7 @@ class WrittenOtherwise:
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
-        yield self._reasons.without(core, self._commands.verbs)
+        yield from self._reasons.without(core, self._commands.verbs)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)

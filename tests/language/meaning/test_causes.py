@@ -26,7 +26,7 @@ def home() -> IntentEngine:
         ("turn left, no, right", (), {Cause.CORRECTED}),
         ("turn left, no, right, and then go to the kitchen", (), {Cause.CORRECTED}),
         ("not that", ("moving",), {Cause.OBJECTED}),
-        ("wait, the cat is there", ("moving",), {Cause.REST_UNKNOWN}),
+        ("wait, the cat over there", ("moving",), {Cause.REST_UNKNOWN}),
         ("go forward twelve hundred meters", (), {Cause.BEYOND_LIMITS}),
         ("go to the moon", (), {Cause.UNKNOWN_PLACE}),
         ("turn left and then go to the moon", (), {Cause.UNKNOWN_PLACE}),

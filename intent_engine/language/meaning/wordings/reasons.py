@@ -1,39 +1,119 @@
-"""Why something is to be done, told behind it: "turn the lamp on, it's getting dark"."""
+"""Why something is to be done, told beside it: "turn the lamp on, it's dark", "I'm cold, so shut the window"."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator, Sequence
+from functools import cached_property
 
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.wording import Wording
+from intent_engine.language.vocabulary import words_in
+from intent_engine.language.words.contractions import apart
+from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Reasons"]
 
-_MOST = 4
-"""Words of such a reason, behind those that it begins with."""
+_MOST = 7
+"""Words of such a reason, behind those that it begins with,"""
+_MOST_OF_A_THING = 3
+"""and of the thing that it is told of."""
 
 
 class Reasons:
-    """Reads the command without its reason. It stands behind a pause and the command, and has nothing of another one,
-    or of a condition ("it is dark *when* you leave")."""
+    """Reads a command without the reason for it.
 
-    def __init__(self, wording: Wording, phrases: Phrases, closed: Collection[str]) -> None:
-        self._begins = PhraseSet(wording.reasons)
+    A reason is told in one clause, behind a pause or a filler ("so"), or before one, of something that is in some way
+    now. It has nothing of another command or of a condition ("it is dark *when* you leave"), and does not repeat what
+    somebody said. "It" may be what the command names: "go to the kitchen, it's the *bathroom*" names another.
+    """
+
+    def __init__(self, matcher: Matcher, phrases: Phrases) -> None:
+        grammar, wording = matcher.grammar, matcher.grammar.wording
+        self._matcher = matcher
+        self._tells_of = PhraseSet(wording.tells_of)
+        self._of_a_thing = wording.tells_of_a
+        self._how = wording.tells_how
+        self._tale = wording.tells_a_tale
+        self._why = PhraseSet(wording.why)
+        self._why_of = PhraseSet(wording.why_of)
+        self._why_to = PhraseSet(wording.why_to)
+        self._articles = thing_words(grammar.language).articles
+        self._pronouns = {words[0] for words in grammar.operators.pronoun if len(words) == 1}
+        self._begun = {words[:2] for words in wording.tells_of}
+        self._for_a_thing = self._pronouns - self._articles
         self._phrases = phrases
-        self._closed = frozenset(closed)
+        self._closed = frozenset(grammar.operators.closed) - self._how  # "weil es dunkel *ist*"
+        self._language = grammar.language
 
-    def without(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """The command; None: no reason is behind it."""
-        pause = next((at for at in range(len(core) - 1, 0, -1) if core.breaks[at]), 0)
-        told = core.words[pause:]
-        begins = self._begins.at(told, 0)
-        if not (pause and begins and begins < len(told) <= begins + _MOST):
-            return None
-        rest = told[begins:]
-        if any(word in verbs or word in self._closed for word in rest):
-            return None
+    def without(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
+        """What may be the command without its reason, which stands behind it or before it."""
+        if not self._tells_of:
+            return
+        parted = [at for at in range(1, len(core)) if core.breaks[at] is not False or self._says_why(core, at)]
+        for at in parted[:1]:
+            told, command = core.words[:at], core.part(at, len(core))
+            if self._is_reason(self._in_full(told), command.words, verbs):
+                yield command
+        for at in parted[-1:]:
+            told, command = core.words[at:], core.part(0, at)
+            if self._is_reason(self._in_full(told), command.words, verbs):
+                yield command
+
+    def _in_full(self, told: Sequence[str]) -> list[str]:
+        """The words, those that are short for two as these: "its" as "it is"."""
+        pairs = [next((pair for pair in apart(word) if pair in self._begun), (word,)) for word in told]
+        return [word for pair in pairs for word in pair]
+
+    def _says_why(self, core: Utterance, at: int) -> bool:
+        return self._why.at(core.words, at) > 0 or self._why_of.at(core.words, at) > 0
+
+    def _is_reason(self, told: Sequence[str], command: Sequence[str], verbs: Collection[str]) -> bool:
+        """Whether what is told beside a command says why, and no more."""
         phrases = self._phrases
         others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
-        return None if any(one.find(rest) for one in others) else core.part(0, pause)
+        if any(one.find(told) for one in others) or not self._tale.isdisjoint(told):
+            return False
+        if any(other in command for word in told for other in opposed(word, self._language)):
+            return False  # "turn left, it's right"
+        cause = self._why_of.at(told, 0) or self._why_to.at(told, 0)
+        if cause:
+            return self._tells_no_more(told[cause:], verbs)
+        begin = self._why.at(told, 0)
+        person = self._tells_of.at(told, begin)
+        if not person:
+            how = self._behind_a_thing(told, begin, verbs)
+            return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
+        rest = told[begin + person :]
+        if not self._tells_no_more(rest, verbs):
+            return False
+        # What "it" is may be what the command is about.
+        return told[begin] not in self._pronouns or not self._names_another(rest, command)
+
+    def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
+        """Whether what something is may be a thing, a place or a number in the place of one of a command."""
+        others = (word for word in rest if word not in command)
+        return bool(rest and rest[0] in self._articles) or any(
+            word in self._names or self._matcher.is_number(word) for word in others
+        )
+
+    @cached_property
+    def _names(self) -> frozenset[str]:
+        """The words of every value that is listed, and of every place."""
+        listed = (node for slot in self._matcher.grammar.slots.values() for _, node in slot.values)
+        places = (words for words, _ in self._matcher.locations.names()) if self._matcher.locations else ()
+        return frozenset(word for node in listed for word in words_in(node)).union(*places)
+
+    def _behind_a_thing(self, told: Sequence[str], begin: int, verbs: Collection[str]) -> int:
+        """Where what is told of a thing goes on behind its verb; 0: no thing is told of."""
+        thing = begin + (told[begin : begin + 1] != [] and told[begin] in self._of_a_thing)
+        for at in range(thing + 1, min(thing + _MOST_OF_A_THING, len(told) - 1) + 1):
+            if told[at] in self._how:
+                return at + 1 if self._tells_no_more(told[thing:at], verbs) else 0
+        return 0
+
+    def _tells_no_more(self, words: Sequence[str], verbs: Collection[str]) -> bool:
+        """Whether words have nothing of a command or of a condition."""
+        return len(words) <= _MOST and not any(word in verbs or word in self._closed for word in words)
