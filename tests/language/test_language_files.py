@@ -75,11 +75,9 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "wholes": "en", "up_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
-        "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "tells_of": "de en",
-        "tells_of_a": "de en", "tells_how": "de en", "tells_a_tale": "de en", "why": "de en", "why_of": "de en",
-        "why_to": "de en", "merely": "en", "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it",
-        "hurries": "de es fr", "vaguely": "de es fr it", "urges": "es fr it", "namely": "de", "taken_up": "de es fr it",
-        "joined_first": "it",
+        "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "coming": "en",
+        "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr", "vaguely": "de es fr it",
+        "urges": "es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
         "particles": "en", "idle_particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them

@@ -85,7 +85,10 @@ class Reasons:
         person = self._tells_of.at(told, begin)
         if not person:
             how = self._behind_a_thing(told, begin, verbs)
-            return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
+            if not how or not self._tells_no_more(told[how:], verbs) or not self._for_a_thing.isdisjoint(command):
+                return False
+            # "C'est le bar" tells of what was named, "windows are open" does not.
+            return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
         rest = told[begin + person :]
         if not self._tells_no_more(rest, verbs):
             return False
