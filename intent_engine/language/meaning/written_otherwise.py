@@ -17,7 +17,7 @@ from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.meaning.told import Understood, as_told, free_words_of, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
@@ -136,7 +136,7 @@ class WrittenOtherwise:
         for otherwise, is_meant in NUMBERS:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)
-                if not is_meant(core, _readings(written), language):
+                if not is_meant(core, readings_of(written), language):
                     written = None
         further = (self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
         for rule in (*further, self._for_each, self._named_again):
@@ -146,6 +146,18 @@ class WrittenOtherwise:
             other = self._other_words.told(core, state, asks="?" in text)
             written = self._understood_as(text, core, other, state)
         return written
+
+    def or_asked(self, text: str, core: Utterance, state: Collection[str], asks: Clause) -> Understood:
+        """What is asked back, unless that is only what the verb of a command is, and another form of one of the verbs
+        that are asked about was said: "fermez la vanne" of a grammar that has "{ouvre|ferme} la vanne"."""
+        first = next(iter(asks.reading.slots), None) if asks.reading is not None else None
+        if first is None or first.start or first.status == "exact":
+            return as_told(text, asks)
+        found = self.understood(text, core, state)
+        values = [reading.values().get(first.label) for reading in readings_of(found)]
+        return (
+            found if found is not None and len(values) == 1 and values[0] in asks.alternatives else as_told(text, asks)
+        )
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
@@ -189,7 +201,7 @@ class WrittenOtherwise:
         found: dict[tuple[Action, ...], Understood] = {}
         for way in self._verb_last.corrected(core, self._commands.verbs):
             one = self._understood_as(text, core, way.said, state)
-            if one is not None and all(map(way.is_meant, _readings(one))):
+            if one is not None and all(map(way.is_meant, readings_of(one))):
                 found.setdefault(one[0].actions, one)
         return next(iter(found.values())) if len(found) == 1 else None
 
@@ -293,7 +305,7 @@ class WrittenOtherwise:
         """ "Ouvre voir la porte" of a grammar that has "ouvre la porte"."""
         rule, verbs = self._said_lightly, self._commands.verbs | self._formal.forms_in(core)
         found = self._understood_as(text, core, rule.without(core, verbs), state)
-        return found if found is not None and rule.means(core, verbs, _readings(found)) else None
+        return found if found is not None and rule.means(core, verbs, readings_of(found)) else None
 
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
@@ -304,12 +316,12 @@ class WrittenOtherwise:
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
         found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
-        return found if found is not None and self._verb_again.means(_readings(found)) else None
+        return found if found is not None and self._verb_again.means(readings_of(found)) else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
         found = self._understood_as(text, core, self._ways_on.without(core), state)
-        return found if found is not None and self._ways_on.means(core, _readings(found)) else None
+        return found if found is not None and self._ways_on.means(core, readings_of(found)) else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
@@ -325,7 +337,7 @@ class WrittenOtherwise:
         core = self._phrases.without_fillers(self._said(text))
         if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
             return []
-        return self._named.before(text, core, before, lambda one: _free_words(understood(one)))
+        return self._named.before(text, core, before, lambda one: free_words_of(understood(one)))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
@@ -334,7 +346,7 @@ class WrittenOtherwise:
             other = self._plurals.otherwise(core, known=known, owners=owners(text))
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
-                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+                return None if self._plurals.changes_free_words(core, other, readings_of(found)) else found
         return None
 
     def _for_each(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -345,7 +357,7 @@ class WrittenOtherwise:
         found = self._understood_as(text, core, other, state)
         if found is None or other is None or not is_a_list(found[0]):
             return None
-        return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+        return None if self._plurals.changes_free_words(core, other, readings_of(found)) else found
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
@@ -370,19 +382,3 @@ def _names(reading: Reading | None, words: Collection[str]) -> bool:
     if reading is None:
         return False
     return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
-
-
-def _free_words(understood: Understood) -> frozenset[str]:
-    """The words of an interpretation that are free."""
-    return frozenset(
-        word
-        for reading in _readings(understood)
-        for slot in reading.slots
-        if slot.slot.type in FREE_KINDS
-        for word in reading.words[slot.start : slot.end]
-    )
-
-
-def _readings(understood: Understood | None) -> list[Reading]:
-    """What the words of an interpretation were read as, command by command."""
-    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []
