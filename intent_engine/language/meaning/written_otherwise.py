@@ -309,7 +309,8 @@ class WrittenOtherwise:
 
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
-        ways = self._taken_up.ways(core, self._commands.verbs)
+        verbs = self._commands.verbs
+        ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
         found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
         return next(iter(found.values())) if len(found) == 1 else None
 

@@ -80,9 +80,11 @@ class SaidLightly:
 
     def _places(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where they stand, and how many: behind the verbs of commands, and at the end."""
-        words, start = core.words, self._hurries.at(core.words, 0)
+        words, start = core.words, max(self._hurries.at(core.words, 0), self._urges.at(core.words, 0))
         if 0 < start < len(core) and core.breaks[start]:
             yield 0, start  # "vite, ouvre la porte"
+        else:
+            start = 0
         while start < len(core):
             rest = words[start:]
             at = start + max(self._phrases.goes_on(rest), self._phrases.opens(rest))
