@@ -36,6 +36,7 @@ class BehindTheVerb:
         self._gives = wording.gives
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
+        self._verb_last = bool(wording.parted)
         self._of_the_verb = wording.asked | wording.before_verbs
         known = thing_words(self._language).articles
         self._pronouns = {word for (word, *more) in matcher.grammar.operators.pronoun if not more} - known
@@ -76,14 +77,15 @@ class BehindTheVerb:
         return begins or word not in known.joining | known.alone | known.unfinished
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".
-        None: there is no such word, or there are several."""
+        """An utterance without what says, once, that it was so before: behind a verb, "mach das Licht *wieder* an", or
+        before one that stands last. None: there is no such word, or there are several."""
         found = [(at, one) for at in range(len(core)) for one in self._once_more if _is_at(core, at, one)]
         if len(found) != 1:
             return None
         ((at, one),) = found
-        behind = any(word in verbs for word in core.words[:at]) and not core.breaks[at]
-        return core.cut(at, at + len(one)) if behind else None
+        last = self._verb_last and at > 0 and at + len(one) < len(core) and core.words[-1].endswith("n")
+        behind = last or any(word in verbs for word in core.words[:at])  # "das Licht wieder anmachen"
+        return core.cut(at, at + len(one)) if behind and not core.breaks[at] else None
 
     def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where a command may begin, and where its verb stands."""
