@@ -77,8 +77,8 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "coming": "en",
         "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr", "vaguely": "de es fr it",
-        "urges": "es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
-        "particles": "en", "idle_particles": "en",
+        "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
+        "particles": "en", "idle_particles": "de en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
     },

@@ -64,6 +64,7 @@ class OtherWords:
         )
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)
+        self._verbs_last = bool(grammar.wording.parted)
         self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
         self._said_first = SaidFirst(grammar, phrases)
@@ -109,7 +110,10 @@ class OtherWords:
         if asks:
             return self._one_of(wished, part, state)
         ordered = list(self._verb_last.ways(part, verbs, self._begins)) or wished
-        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
+        found = self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
+        if found is not None or said.words[0] in verbs or not self._verbs_last:  # "turn the fan on and the fan off"
+            return found
+        return self._one_of(self._verbless.ways(part, verbs), part, state)  # "Licht an und Pumpe aus"
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""

@@ -21,6 +21,7 @@ from intent_engine.language.meaning.told import Understood, as_told, free_words_
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
@@ -79,6 +80,7 @@ class WrittenOtherwise:
         wording = self._matcher.grammar.wording
         self._formal = Formal(phrases, commands, wording.formal)
         self._asking = Formal(phrases, commands, wording.asking)
+        self._itself = Itself(self._matcher)
         self._verb_again = VerbAgain(self._matcher.grammar, phrases)
         self._verb_last = VerbLast(self._matcher.grammar, vocabulary(self._matcher.grammar))
         self._verb_second = VerbSecond(self._matcher.grammar, self._asking, self._formal)
@@ -138,7 +140,7 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, readings_of(written), language):
                     written = None
-        further = (self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
+        further = (self._done_to_itself, self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
         for rule in (*further, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
@@ -313,6 +315,12 @@ class WrittenOtherwise:
         ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
         found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
         return next(iter(found.values())) if len(found) == 1 else None
+
+    def _done_to_itself(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Dreh nach links" of a grammar that has "dreh dich nach links", and no free words for "dich"."""
+        ways = (self._understood_as(text, core, way, state) for way in self._itself.ways(core, self._commands.verbs))
+        found = next(filter(None, ways), None)
+        return None if any(reading.free_words for reading in readings_of(found)) else found
 
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""

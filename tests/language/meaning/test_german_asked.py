@@ -14,6 +14,8 @@ intents:
   wickeln: {action: custom, sentences: ["wickel das Seil auf"]}
   melken: {action: custom, sentences: ["melk die Kuh in Box {box}"]}
   licht: {action: custom, sentences: ["mach das Licht an"]}
+  pumpe: {action: custom, sentences: ["mach die Pumpe aus"]}
+  drehen: {action: custom, sentences: ["dreh dich nach links"]}
   zoomen: {action: custom, sentences: ["zoome auf {zoom} heran"]}
   hin: {action: custom, sentences: ["fahr (zum|zur) {ort}"]}
 """
@@ -35,6 +37,16 @@ intents:
         ("wärst du so nett und machst das Licht an", "mach das Licht an"),
         ("du kannst jetzt zur Rampe fahren", "fahr zur Rampe"),
         ("du darfst bitte das Seil aufwickeln", "wickel das Seil auf"),
+        ("mach schon das Licht an", "mach das Licht an"),
+        ("komm, mach das Licht an", "mach das Licht an"),
+        ("mach das Licht an, ja?", "mach das Licht an"),
+        ("machst du mal das Licht an?", "mach das Licht an"),
+        ("könntest du so nett sein und das Licht anmachen", "mach das Licht an"),
+        ("tu mir den Gefallen und mach das Licht an", "mach das Licht an"),
+        ("es wäre schön, wenn du das Licht anmachst", "mach das Licht an"),
+        ("fahr zur Rampe hin", "fahr zur Rampe"),
+        ("dreh nach links", "dreh dich nach links"),
+        ("Licht an und Pumpe aus", "mach das Licht an und mach die Pumpe aus"),
         ("kannst du das Licht wieder anmachen", "mach das Licht an"),
         ("das Seil nochmal aufwickeln", "wickel das Seil auf"),
         ("mach das Licht an, es wird dunkel", "mach das Licht an"),
@@ -53,6 +65,13 @@ def test_it_is_the_order(engine_of, said: str, meant: str) -> None:
         "du kannst jetzt nicht zur Rampe fahren",
         "du kannst jetzt zur Rampe fahren?",
         "melkst die Kuh in Box 9",
+        "das Licht schon an",
+        "schon das Licht an",
+        "machst du das Licht an?",
+        "du machst mal das Licht an",
+        "es wäre schön, wenn das Licht an wäre",
+        "dreh den Kopf nach links",
+        "das Licht an und die Pumpe ist aus",
         "das Licht wieder anmachen?",
         "das Licht nicht wieder anmachen",
         "wieder das Seil aufwickeln",

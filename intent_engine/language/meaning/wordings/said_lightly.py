@@ -43,6 +43,7 @@ class SaidLightly:
         # Where verbs are parted or stand last, such a word stands anywhere before their end.
         further = (*(phrase for phrase in wording.softens if own.isdisjoint(phrase)), *hurries)
         self._within = PhraseSet(further if wording.parted else ())
+        self._switched = wording.switched.union(wording.parted)
         self._phrases = phrases
 
     def without(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
@@ -53,7 +54,7 @@ class SaidLightly:
             verbs: words with which a command may begin.
         """
         said = core
-        for start, length in sorted({*self._places(core, verbs), *self._further_on(core)}, reverse=True):
+        for start, length in sorted({*self._places(core, verbs), *self._further_on(core, verbs)}, reverse=True):
             said = said.cut(start, start + length)
         return said if len(said) and said.words != core.words else None
 
@@ -61,16 +62,19 @@ class SaidLightly:
         """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells; and how fast
         something is driven is no matter of hurry."""
         places = {*self._places(core, verbs)}
-        if any(reading.free_words for reading in readings) and not places.issuperset(self._further_on(core)):
+        if any(reading.free_words for reading in readings) and not places.issuperset(self._further_on(core, verbs)):
             return False
         if self._hurries.find(core.words) and any(reading.intent.action.type in _PACED for reading in readings):
             return False  # "fahr schnell zwei Meter vor" says how fast
         vague = any(self._vague.at(core.words, start) for start, _ in places)
         return not vague or all(any(slot.slot.type in _AMOUNTS for slot in one.slots) for one in readings)
 
-    def _further_on(self, core: Utterance) -> Iterator[tuple[int, int]]:
-        """Where they stand before the end of a command: "die Kiste *eben* abstellen"."""
-        found = self._within.find(core.words)
+    def _further_on(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
+        """Where they stand before the end of a command: "die Kiste *eben* abstellen". Without its verb it may tell of
+        something: "das Licht *schon* aus"."""
+        last = core.words[-1]
+        has_a_verb = core.words[0] in verbs or (last.endswith("n") and last not in self._switched)
+        found = self._within.find(core.words) if has_a_verb else None
         while found is not None:
             at, end = found[0], sum(found)
             ends = end == len(core) or any(core.breaks[at + 1 : end + 1]) or self._phrases.goes_on(core.words[end:])
@@ -81,7 +85,7 @@ class SaidLightly:
     def _places(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where they stand, and how many: behind the verbs of commands, and at the end."""
         words, start = core.words, max(self._hurries.at(core.words, 0), self._urges.at(core.words, 0))
-        if 0 < start < len(core) and core.breaks[start]:
+        if 0 < start < len(core) and core.breaks[start] and words[0] not in verbs:
             yield 0, start  # "vite, ouvre la porte"
         else:
             start = 0
