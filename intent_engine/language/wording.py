@@ -154,9 +154,9 @@ class Wording:
     why: tuple[tuple[str, ...], ...] = ()
     """What says before such a telling that it is a reason: "*because* it's dark","""
     why_of: tuple[tuple[str, ...], ...] = ()
-    """before a thing: "*because of* the trees","""
+    """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
     why_to: tuple[tuple[str, ...], ...] = ()
-    """and before what can be done then: "so that *I can* see"."""
+    """and, behind a pause or a filler, before what can be done then: "so that *I can* see"."""
     merely: tuple[tuple[str, ...], ...] = ()
     """What says no more before so much: "go *just* two meters", "to, *let's say*, two"."""
     roughly: tuple[tuple[str, ...], ...] = ()
@@ -184,6 +184,8 @@ class Wording:
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
     softens: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that soften the order and say nothing of it: "avvia *pure* il programma"."""
+    hurries: tuple[tuple[str, ...], ...] = ()
+    """Words there that only urge to be quick, of a grammar that has no such word: "va *vite* à la cuisine"."""
     vaguely: tuple[tuple[str, ...], ...] = ()
     """Words there that say nothing beside an amount: "tourne *un peu* de dix degrés"."""
     urges: tuple[tuple[str, ...], ...] = ()

@@ -76,11 +76,12 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "puts": "en", "brings": "en",
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
-        "wishes_done": "en", "to_be": "en", "permits": "en", "pleads": "en",
-        "merely": "en", "roughly": "en", "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it",
-        "vaguely": "de es fr it", "urges": "es fr it", "namely": "de", "taken_up": "de es fr it", "joined_first": "it",
-        "of_persons": "en",  # elsewhere they are those for things as well
-        "particles": "en", "idle_particles": "en",
+        "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "roughly": "en",
+        "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
+        "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
+        "vaguely": "de es fr it", "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",
+        "joined_first": "it", "of_persons": "en",  # elsewhere they are those for things as well
+        "particles": "en", "idle_particles": "de en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
     },

@@ -233,7 +233,7 @@ class Interpreter:
         if not core.words:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
-            return as_told(text, clause)
+            return self._otherwise.or_asked(text, core, state, clause)
         if self._numbers.restarted(core, said):
             if self._stops.beside(said, core, state):
                 return self._stopped(text)
@@ -343,7 +343,7 @@ class Interpreter:
             return as_told_together(text, self._hesitations.or_either(parts, said, state), self._stop_intent)
         single = self._compounds.part(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
-            return as_told(text, single)
+            return as_told(text, single) if single.accepted else self._otherwise.or_asked(text, core, state, single)
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
         if not negated and (commands := self._run_ons.split(core, state)) is not None:

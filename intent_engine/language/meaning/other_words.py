@@ -72,6 +72,7 @@ class OtherWords:
         )
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)
+        self._verbs_last = bool(grammar.wording.parted)
         self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
         self._said_first = SaidFirst(grammar, phrases)
@@ -122,7 +123,9 @@ class OtherWords:
             found = self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
             if found is not None:
                 return found
-        return None
+        if said.words[0] in verbs or not self._verbs_last:  # "turn the fan on and the fan off"
+            return None
+        return self._one_of(self._verbless.ways(part, verbs), part, state)  # "Licht an und Pumpe aus"
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""

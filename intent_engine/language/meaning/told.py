@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TypeAlias
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Cause, Interpretation, Question, Status
 from intent_engine.language.context.answers import with_name
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause, slot_values
+from intent_engine.language.reading import Reading
 
-__all__ = ["Understood", "as_stop", "as_told", "as_told_together", "asked_back", "which_number"]
+__all__ = [
+    "Understood",
+    "as_stop",
+    "as_told",
+    "as_told_together",
+    "asked_back",
+    "free_words_of",
+    "names_any",
+    "readings_of",
+    "which_number",
+]
 
 Understood: TypeAlias = tuple[Interpretation, tuple[Clause, ...]]
 """What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
@@ -71,6 +83,29 @@ def as_told_together(text: str, parts: Sequence[Clause], stop_intent: str) -> Un
         text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons, causes, needs=needs
     )
     return found, tuple(parts)
+
+
+def free_words_of(understood: Understood) -> frozenset[str]:
+    """The words of an interpretation that are free."""
+    return frozenset(
+        word
+        for reading in readings_of(understood)
+        for slot in reading.slots
+        if slot.slot.type in FREE_KINDS
+        for word in reading.words[slot.start : slot.end]
+    )
+
+
+def readings_of(understood: Understood | None) -> list[Reading]:
+    """What the words of an interpretation were read as, command by command."""
+    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []
+
+
+def names_any(reading: Reading | None, words: Collection[str]) -> bool:
+    """Whether free words begin with one of some words: "sich Anna" is nobody."""
+    if reading is None:
+        return False
+    return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
 
 
 def which_number(written: str, language: str) -> str:

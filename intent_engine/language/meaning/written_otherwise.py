@@ -10,19 +10,20 @@ from functools import partial
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
 from intent_engine.language.context.going_on import is_a_list
-from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
+from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
@@ -32,17 +33,14 @@ from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
 from intent_engine.language.meaning.wordings.taken_up import TakenUp
+from intent_engine.language.meaning.wordings.verb_again import VerbAgain
+from intent_engine.language.meaning.wordings.verb_last import VerbLast
+from intent_engine.language.meaning.wordings.verb_second import VerbSecond
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
-from intent_engine.language.slots.called_by_number import is_called_so, without_number
-from intent_engine.language.slots.counted_of_which import are_of_which, without_of_which
-from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
-from intent_engine.language.slots.every_unit import every_one, is_every_one
-from intent_engine.language.slots.half_behind import half_before, is_half_of_it
-from intent_engine.language.slots.written_shares import are_shares, shares_in_words
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.owners import owners
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -55,23 +53,6 @@ __all__ = ["WrittenOtherwise"]
 _FORM_AND_VERB = 2
 _UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
 """What is being understood as something else, so that none is tried again within: "kilos" as "kilo", as "kilos"."""
-
-
-def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
-    return True
-
-
-_NUMBERS = (
-    (figures_apart, are_apart),
-    (figures_joined, _always),
-    (every_one, is_every_one),
-    (without_number, is_called_so),
-    (without_of, is_counted_with_of),
-    (without_of_which, are_of_which),
-    (half_before, is_half_of_it),
-    (shares_in_words, are_shares),
-)
-"""How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
 
 class WrittenOtherwise:
@@ -99,13 +80,16 @@ class WrittenOtherwise:
         wording = self._matcher.grammar.wording
         self._formal = Formal(phrases, commands, wording.formal)
         self._asking = Formal(phrases, commands, wording.asking)
+        self._itself = Itself(self._matcher)
+        self._verb_again = VerbAgain(self._matcher.grammar, phrases)
+        self._verb_last = VerbLast(self._matcher.grammar, vocabulary(self._matcher.grammar))
+        self._verb_second = VerbSecond(self._matcher.grammar, self._asking, self._formal)
         self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
-        self._besides = PhraseSet(wording.besides)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
@@ -145,18 +129,20 @@ class WrittenOtherwise:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
+            written = written or self._corrected_before_its_verb(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
             if written is None:
                 written = self._understood_as(text, core, other, state)
-        for otherwise, is_meant in _NUMBERS:
+        for otherwise, is_meant in NUMBERS:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)
-                if not is_meant(core, _readings(written), language):
+                if not is_meant(core, readings_of(written), language):
                     written = None
-        for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
+        further = (self._done_to_itself, self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
+        for rule in (*further, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         if written is None:
@@ -164,10 +150,21 @@ class WrittenOtherwise:
             written = self._understood_as(text, core, other, state)
         return written
 
+    def or_asked(self, text: str, core: Utterance, state: Collection[str], asks: Clause) -> Understood:
+        """What is asked back, unless that is only what the verb of a command is, and another form of one of the verbs
+        that are asked about was said: "fermez la vanne" of a grammar that has "{ouvre|ferme} la vanne"."""
+        first = next(iter(asks.reading.slots), None) if asks.reading is not None else None
+        if first is None or first.start or first.status == "exact":
+            return as_told(text, asks)
+        found = self.understood(text, core, state)
+        values = [reading.values().get(first.label) for reading in readings_of(found)]
+        is_one = found is not None and len(values) == 1 and values[0] in asks.alternatives
+        return found if found is not None and is_one else as_told(text, asks)
+
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
         yield from self._reasons.without(core, self._commands.verbs)
-        yield self._but_for_besides(core)
+        yield self._behind.but_for_besides(core)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
             yield self._formal.told(core)
@@ -179,12 +176,8 @@ class WrittenOtherwise:
             yield self._asking.told(asked) or asked
         elif kindly:
             yield self._asking.told(core)
-
-    def _but_for_besides(self, core: Utterance) -> Utterance | None:
-        """What was said but for an "as well" at its end, which sounds like no word of a sentence; None: it has none."""
-        length = self._besides.ends(core.words)
-        alike = self._matcher.alikes.get(core.words[-1]) if core.words else None
-        return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
+        if kindly:
+            yield from self._verb_second.ways(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -203,6 +196,17 @@ class WrittenOtherwise:
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
         return None
+
+    def _corrected_before_its_verb(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has "stell den Kopf auf {angle}"."""
+        if "?" in text or self._phrases.correction.find(core.words[:-1], 1) is None:
+            return None
+        found: dict[tuple[Action, ...], Understood] = {}
+        for way in self._verb_last.corrected(core, self._commands.verbs):
+            one = self._understood_as(text, core, way.said, state)
+            if one is not None and all(map(way.is_meant, readings_of(one))):
+                found.setdefault(one[0].actions, one)
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
@@ -246,7 +250,7 @@ class WrittenOtherwise:
         found: dict[tuple[Action | None, ...], Clause] = {}
         for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
-            if clause is not None and clause.accepted and not _names(clause.reading, grammar.wording.before_verbs):
+            if clause is not None and clause.accepted and not names_any(clause.reading, grammar.wording.before_verbs):
                 found.setdefault((clause.action,), clause)
         if found:
             return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
@@ -269,7 +273,13 @@ class WrittenOtherwise:
         slowly" of one that has "slowly turn the crank"."""
         rule, verbs = self._said_first, self._commands.verbs
         ways = (*rule.verb_first(core, verbs), *rule.manner_first(core))
-        return self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
+        found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
+        if found is not None:
+            return found
+        behind = list(rule.behind_the_verb(core, verbs))  # "im Flur dimme das Licht auf zehn Prozent"
+        found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in behind], state)
+        placed = {one[0].actions: one for one in (self._placed_later(text, way, state) for way, _ in behind) if one}
+        return found or (next(iter(placed.values())) if len(placed) == 1 else None)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
@@ -298,13 +308,25 @@ class WrittenOtherwise:
         """ "Ouvre voir la porte" of a grammar that has "ouvre la porte"."""
         rule, verbs = self._said_lightly, self._commands.verbs | self._formal.forms_in(core)
         found = self._understood_as(text, core, rule.without(core, verbs), state)
-        return found if found is not None and rule.means(core, verbs, _readings(found)) else None
+        return found if found is not None and rule.means(core, verbs, readings_of(found)) else None
 
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
-        ways = self._taken_up.ways(core, self._commands.verbs)
+        verbs = self._commands.verbs
+        ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
         found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
         return next(iter(found.values())) if len(found) == 1 else None
+
+    def _done_to_itself(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Dreh nach links" of a grammar that has "dreh dich nach links", and no free words for "dich"."""
+        ways = (self._understood_as(text, core, way, state) for way in self._itself.ways(core, self._commands.verbs))
+        found = next(filter(None, ways), None)
+        return None if any(reading.free_words for reading in readings_of(found)) else found
+
+    def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
+        found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
+        return found if found is not None and self._verb_again.means(readings_of(found)) else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
@@ -312,7 +334,7 @@ class WrittenOtherwise:
         for other in self._ways_on.without(core):
             found = self._understood_as(text, core, other, state)
             if found is not None:
-                return found if self._ways_on.means(core, _readings(found)) else None
+                return found if self._ways_on.means(core, readings_of(found)) else None
         return None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -333,7 +355,7 @@ class WrittenOtherwise:
         core = self._phrases.without_fillers(self._said(text))
         if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
             return []
-        return self._named.before(text, core, before, lambda one: _free_words(understood(one)))
+        return self._named.before(text, core, before, lambda one: free_words_of(understood(one)))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
@@ -342,7 +364,7 @@ class WrittenOtherwise:
             other = self._plurals.otherwise(core, known=known, owners=owners(text))
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
-                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+                return None if self._plurals.changes_free_words(core, other, readings_of(found)) else found
         return None
 
     def _for_each(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -353,7 +375,7 @@ class WrittenOtherwise:
         found = self._understood_as(text, core, other, state)
         if found is None or other is None or not is_a_list(found[0]):
             return None
-        return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+        return None if self._plurals.changes_free_words(core, other, readings_of(found)) else found
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
@@ -371,26 +393,3 @@ class WrittenOtherwise:
             return None
         changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
         return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
-
-
-def _names(reading: Reading | None, words: Collection[str]) -> bool:
-    """Whether free words begin with one of some words: "sich Anna" is nobody."""
-    if reading is None:
-        return False
-    return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
-
-
-def _free_words(understood: Understood) -> frozenset[str]:
-    """The words of an interpretation that are free."""
-    return frozenset(
-        word
-        for reading in _readings(understood)
-        for slot in reading.slots
-        if slot.slot.type in FREE_KINDS
-        for word in reading.words[slot.start : slot.end]
-    )
-
-
-def _readings(understood: Understood | None) -> list[Reading]:
-    """What the words of an interpretation were read as, command by command."""
-    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []

@@ -26,7 +26,7 @@ LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt"))
 """What text2num knows, besides English; of any other it raises."""
 MAX_WORDS = 16
 
-SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
+SCALES: Mapping[str, float] = {"two": 2.0, "dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",

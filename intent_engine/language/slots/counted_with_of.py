@@ -10,7 +10,7 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["is_counted_with_of", "without_of"]
 
-_NOUNS = ("dozen", "million", "billion")
+_NOUNS = ("two", "dozen", "million", "billion")
 
 
 def without_of(said: Utterance, language: str) -> Utterance | None:

@@ -9,6 +9,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["BehindTheVerb"]
@@ -36,11 +37,13 @@ class BehindTheVerb:
         self._gives = wording.gives
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
+        self._besides = PhraseSet(wording.besides)
         counting = {words[0] for words in matcher.grammar.counting if len(words) == 1}
         self._shortened = [
             tuple(word for word in words if word not in counting) for words in wording.once_more if counting & {*words}
         ]
         """The same without what is left out as counting something: "one (more) time"."""
+        self._verb_last = bool(wording.parted)
         self._of_the_verb = wording.asked | wording.before_verbs
         known = thing_words(self._language).articles
         self._pronouns = {word for (word, *more) in matcher.grammar.operators.pronoun if not more} - known
@@ -81,8 +84,8 @@ class BehindTheVerb:
         return begins or word not in known.joining | known.alone | known.unfinished
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """An utterance without what says, behind a verb or at its end, and once, that it was so before: "mach das Licht
-        *wieder* an". None: there is no such word, or there are several."""
+        """An utterance without what says, once, that it was so before: behind a verb or at its end, "mach das Licht
+        *wieder* an", or before a verb that stands last. None: there is no such word, or there are several."""
         found = [(at, one) for at in range(len(core)) for one in self._once_more if _is_at(core, at, one)]
         if not found:
             found = [(at, one) for at in range(len(core)) for one in self._shortened if self._ends_so(core, at, one)]
@@ -90,8 +93,15 @@ class BehindTheVerb:
             return None
         ((at, one),) = found
         last = at + len(one) == len(core)
-        behind = not core.breaks[at] and (last or any(word in verbs for word in core.words[:at])) and at > 0
-        return core.cut(at, at + len(one)) if behind else None
+        before = self._verb_last and not last and core.words[-1].endswith("n")  # "das Licht wieder anmachen"
+        behind = last or before or any(word in verbs for word in core.words[:at])
+        return core.cut(at, at + len(one)) if behind and at > 0 and not core.breaks[at] else None
+
+    def but_for_besides(self, core: Utterance) -> Utterance | None:
+        """What was said but for an "as well" at its end, which sounds like no word of a sentence; None: it has none."""
+        length = self._besides.ends(core.words)
+        alike = self._matcher.alikes.get(core.words[-1]) if core.words else None
+        return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
 
     def _ends_so(self, core: Utterance, at: int, phrase: Sequence[str]) -> bool:
         """Whether a command ends with such a phrase, of which a word within was left out."""

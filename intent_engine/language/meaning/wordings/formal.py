@@ -60,6 +60,11 @@ class Formal:
             place = next_begins(said, place, self._phrases)
         return said if said.words != core.words else None
 
+    def told_at(self, said: Utterance, place: int) -> tuple[int, Sequence[str]] | None:
+        """How many words at a place are such a form, and how they are told; None: none are, or the grammar has such a
+        form itself."""
+        return None if self._grammar_says else self._told(said, place, self._commands.first_words)
+
     def forms_in(self, core: Utterance) -> set[str]:
         """The words of an utterance that are such forms by themselves."""
         return {word for word in core.words if self.is_one(word)} if self._forms else set()

@@ -33,7 +33,8 @@ class Permitted:
                 begun = (
                     tuple(core.words[:length]) == phrase and length < len(core) and not any(core.breaks[1 : length + 1])
                 )
-                if begun and urging.ends(said.words):
+                # "You can land *now*", "du kannst *jetzt* losfahren".
+                if begun and (urging.ends(said.words) or urging.at(said.words, length)):
                     return core.part(length, len(core))
         return None
 

@@ -36,6 +36,7 @@ class PlacedFirst:
         self._leads = known.joining | known.binding | known.timed | known.delaying
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles
+        self._sized = grammar.wording.sized
         self._language = grammar.language
         self._phrases = phrases
         self._sides = {way for said in grammar.wording.sides for way in said.split("/") if " " not in way} - self._leads
@@ -90,7 +91,8 @@ class PlacedFirst:
     def means(self, reading: Reading, start: int, end: int) -> bool:
         """Whether the words are one value that no free words are said beside, with what leads it, and nothing else."""
         within = [slot for slot in reading.slots if slot.end > start and slot.start < end]
-        counted = bool(within) and within[0].slot.type == "number" and within[0].end == end - 1  # "bei 72 Grad"
+        sized = reading.words[end - 1] in self._sized  # "zwei Minuten lang", but "bei 72 Grad"
+        counted = bool(within) and (within[0].slot.type == "number" or sized) and within[0].end == end - 1
         if len(within) != 1 or not (within[0].end == end or counted) or within[0].start < start:
             return False
         led = within[0].start > start

@@ -88,7 +88,10 @@ class Reasons:
         if of_others := self._tells_of.at(told, begin):
             return self._tells_no_more(told[begin + of_others :], verbs)
         how = self._behind_a_thing(told, begin, verbs)
-        return how > 0 and self._tells_no_more(told[how:], verbs) and self._for_a_thing.isdisjoint(command)
+        if not how or not self._tells_no_more(told[how:], verbs) or not self._for_a_thing.isdisjoint(command):
+            return False
+        # "Windows are open" tells of these, but "site is room two" may tell of what was named.
+        return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
 
     def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
         """Whether what something is may be a thing, a place or a number in the place of one of a command."""

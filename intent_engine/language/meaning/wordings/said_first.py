@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.counted import in_an_amount
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
@@ -51,6 +52,16 @@ class SaidFirst:
             moved = words[:place]
             for at in (len(told), *(at for at in range(2, len(told)) if told.words[at] in self._leads)):
                 yield Utterance.in_one_breath([*told.words[:at], *moved, *told.words[at:]]), range(at, at + place)
+
+    def behind_the_verb(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
+        """The same with those words straight behind the verb: "im Flur dimme das Licht" is "dimme im Flur das Licht".
+        None that say in how long something is done."""
+        for way, moved in self.verb_first(core, verbs):
+            before = [way.words[at] for at in moved]
+            timed = before[0] in self._says_when and evaluate(before[1:], "duration", self._language) is not None
+            if not timed:
+                verb, *behind = way.words[: moved.start]
+                yield Utterance.in_one_breath([verb, *before, *behind]), range(1, 1 + len(before))
 
     def _joins(self, core: Utterance) -> bool:
         """Whether anything joins two commands: not the "and" of "an hour and a half"."""

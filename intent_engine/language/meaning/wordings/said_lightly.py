@@ -10,10 +10,14 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["SaidLightly"]
 
+_PACES = ("speed", "angular_speed")
+_PACED = ("move", "turn", "change_speed")
+"""Actions that are done at a speed."""
 _AMOUNTS = frozenset({*QUANTITY_KINDS, "number", "ordinal"})
 
 
@@ -26,12 +30,20 @@ class SaidLightly:
     """
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+        own = vocabulary(grammar)
         wording = grammar.wording
-        self._softens = PhraseSet(wording.softens)
+        paces = any(slot.type in _PACES for slot in grammar.slots.values())
+        hurries = [phrase for phrase in wording.hurries if not paces and own.isdisjoint(phrase)]
+        self._hurries = PhraseSet(hurries)
+        self._softens = PhraseSet((*wording.softens, *hurries))
         self._vague = PhraseSet(wording.vaguely)
         self._urges = PhraseSet(wording.urges)
         self._namely = PhraseSet(wording.namely)
         self._behind_verb = wording.for_whom | wording.asked
+        # Where verbs are parted or stand last, such a word stands anywhere before their end.
+        further = (*(phrase for phrase in wording.softens if own.isdisjoint(phrase)), *hurries)
+        self._within = PhraseSet(further if wording.parted else ())
+        self._switched = wording.switched.union(wording.parted)
         self._phrases = phrases
 
     def without(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
@@ -42,18 +54,41 @@ class SaidLightly:
             verbs: words with which a command may begin.
         """
         said = core
-        for start, length in reversed(list(self._places(core, verbs))):
+        for start, length in sorted({*self._places(core, verbs), *self._further_on(core, verbs)}, reverse=True):
             said = said.cut(start, start + length)
         return said if len(said) and said.words != core.words else None
 
     def means(self, core: Utterance, verbs: Collection[str], readings: Sequence[Reading]) -> bool:
-        """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells."""
-        vague = any(self._vague.at(core.words, start) for start, _ in self._places(core, verbs))
+        """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells; and how fast
+        something is driven is no matter of hurry."""
+        places = {*self._places(core, verbs)}
+        if any(reading.free_words for reading in readings) and not places.issuperset(self._further_on(core, verbs)):
+            return False
+        if self._hurries.find(core.words) and any(reading.intent.action.type in _PACED for reading in readings):
+            return False  # "fahr schnell zwei Meter vor" says how fast
+        vague = any(self._vague.at(core.words, start) for start, _ in places)
         return not vague or all(any(slot.slot.type in _AMOUNTS for slot in one.slots) for one in readings)
+
+    def _further_on(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
+        """Where they stand before the end of a command: "die Kiste *eben* abstellen". Without its verb it may tell of
+        something: "das Licht *schon* aus"."""
+        last = core.words[-1]
+        has_a_verb = core.words[0] in verbs or (last.endswith("n") and last not in self._switched)
+        found = self._within.find(core.words) if has_a_verb else None
+        while found is not None:
+            at, end = found[0], sum(found)
+            ends = end == len(core) or any(core.breaks[at + 1 : end + 1]) or self._phrases.goes_on(core.words[end:])
+            if not ends:
+                yield found
+            found = self._within.find(core.words, end)
 
     def _places(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where they stand, and how many: behind the verbs of commands, and at the end."""
-        words, start = core.words, 0
+        words, start = core.words, max(self._hurries.at(core.words, 0), self._urges.at(core.words, 0))
+        if 0 < start < len(core) and core.breaks[start] and words[0] not in verbs:
+            yield 0, start  # "vite, ouvre la porte"
+        else:
+            start = 0
         while start < len(core):
             rest = words[start:]
             at = start + max(self._phrases.goes_on(rest), self._phrases.opens(rest))

@@ -1,14 +1,15 @@
 """A thing that is said first and taken up with the verb: "la palette, descends-*la*", "la pala portá*mela*", "die Tür,
-öffne *sie*"."""
+öffne *sie*"; or by a later verb: "ouvre la porte et ferme-*la*"."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.verb_forms import without_stress
 
 __all__ = ["TakenUp"]
@@ -31,6 +32,10 @@ class TakenUp:
         self._pronouns = wording.taken_up
         self._before = wording.joined | wording.joined_first
         self._is_joined = bool(wording.joined)
+        # Of other pronouns it is known what they stand for: "schließ sie".
+        pronouns = {one for others in self._pronouns.values() for one in others}
+        self._alone = pronouns if wording.joined else pronouns & thing_words(grammar.language).articles
+        self._contracted = {one: to for one, (_, to) in thing_words(grammar.language).contracted.items()}
         self._sequence = phrases.sequence
         self._formal = formal
 
@@ -55,6 +60,39 @@ class TakenUp:
                         told = [verb, article, *words[1:at], *words[end:]]
                         breaks = [core.breaks[0], *[False] * at, *core.breaks[end:]]
                         yield Utterance(told, breaks)
+
+    def again(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
+        """Several orders with the thing of an earlier one in the place of the pronoun that is with the verb of a later
+        one: "abre la puerta y ciérra*la*" is "abre la puerta y cierra la puerta".
+
+        Args:
+            core: what was said, without its fillers.
+            verbs: words with which a command may begin.
+        """
+        words = core.words
+        if not self._pronouns or not self._tells(words[0], verbs):
+            return
+        for at in range(2, len(words)):
+            joint = self._sequence.ends(words[:at])
+            if not (joint or core.breaks[at]):
+                continue
+            verb, pronoun, end = self._verb(core, at, verbs)
+            if pronoun in self._alone and self._ends(core, end) and not any(core.breaks[at + 1 : end]):
+                for thing in self._things(words[: at - joint], pronoun):
+                    yield core.with_other(at, end, Utterance.in_one_breath([verb, *thing]))
+                return
+
+    def _ends(self, core: Utterance, end: int) -> bool:
+        """Whether a word that may be an article is none, since no name follows: "ferme la"."""
+        return self._is_joined or end == len(core) or core.breaks[end] or self._sequence.at(core.words, end) > 0
+
+    def _things(self, words: Sequence[str], pronoun: str) -> Iterator[list[str]]:
+        """What may be things for which a pronoun stands, each with its article."""
+        for start, word in enumerate(words):
+            article = self._contracted.get(word, word)
+            if start and pronoun in self._pronouns.get(article, ()):
+                for stop in range(start + 2, min(start + _MOST, len(words)) + 1):
+                    yield [article, *words[start + 1 : stop]]
 
     def _verb(self, core: Utterance, at: int, verbs: Collection[str]) -> tuple[str, str, int]:
         """The verb at a place, the pronoun with it, and where it ends; no pronoun: it is none."""

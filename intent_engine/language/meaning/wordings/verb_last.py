@@ -51,6 +51,30 @@ class VerbLast:
                 if order.words[0] in verbs and (not itself or begins(order.words[:2])):
                     yield Rewording(order, partial(self._tells_by_itself, part))
 
+    def corrected(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """One order in which something is corrected before its verb, with that first and its pauses: "den Kopf auf 20,
+        nein, auf 30 Grad stellen".
+
+        Args:
+            core: what was said, without its fillers.
+            verbs: with which commands begin.
+        """
+        if len(core) <= LEAST_WORDS or core.breaks[-1]:
+            return
+        *before, last = core.words
+        for order in last_verb_first(core, self._grammar):
+            front = 1 + (order.words[1 : len(core)] != before)
+            behind = order.words[front + len(before) :]
+            if order.words[0] in verbs and order.words[front : front + len(before)] == before:
+                breaks = [core.breaks[0], *[False] * front, *core.breaks[1:-1], *[False] * len(behind)]
+                means = partial(self._tells_corrected, front, len(behind), last)
+                yield Rewording(Utterance(order.words, breaks), means)
+
+    def _tells_corrected(self, front: int, behind: int, last: str, order: Reading) -> bool:
+        """Whether an order, as it was corrected, would be one by itself with its verb last."""
+        words = order.words[front : len(order.words) - behind]
+        return bool(words) and self._tells_by_itself(Utterance.in_one_breath([*words, last]), order)
+
     def _tells_by_itself(self, part: Utterance, order: Reading) -> bool:
         """Whether it is an order though no word asks for it, and does not tell what somebody does: "die Türen
         schließen", "sie drehen".

@@ -13,12 +13,14 @@ slots:
   raum: [Flur, Bad, großer Saal]
   gerät: [Lampe, Pumpe]
   anteil: percent
+  zeit: duration
   n: {type: number, whole: true}
   ding: {type: text, max_words: 3}
 intents:
   an: {action: custom, sentences: ["mach das Licht [(im|in der) {raum}] an"]}
   ein: {action: custom, sentences: ["schalte die {gerät} [(im|in der) {raum}] ein"]}
   dimmen: {action: custom, sentences: ["dimme das Licht im {raum} auf {anteil}"]}
+  rühren: {action: custom, sentences: ["rühr den Brei [{zeit} lang]", "rühr den Topf in {zeit} um"]}
   gießen: {action: custom, sentences: ["gieße die Pflanzen am Fenster {n}"]}
   stellen: {action: custom, sentences: ["stell die {gerät} in den {raum}"]}
   holen: {action: custom, sentences: ["hol {ding}"]}
@@ -34,10 +36,12 @@ intents:
 """
 ENGLISH = """
 language: en
-slots: {side: [left, right], far: {type: angle, unit: deg}, time: duration, n: number, m: number, thing: text}
+slots: {side: [left, right], far: {type: angle, unit: deg}, time: duration, n: number, m: number, thing: text,
+  room: [hall, bath], share: percent}
 intents:
   rotate: {action: custom, sentences: ["rotate the mirror [to the] {side} [by] [{far}]"]}
   pan: {action: custom, sentences: ["pan [to the] {side} [by] [{far}]"]}
+  dim: {action: custom, sentences: ["dim the light in the {room} to {share}"]}
   wait: {action: custom, sentences: ["wait outside room {n} [for {time}]"]}
   mix: {action: custom, sentences: ["mix {n} with {m}"]}
   hide: {action: custom, sentences: ["hide {thing} for {time}"]}
@@ -57,6 +61,12 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("de", "mach bitte im Bad das Licht an", "mach das Licht im Bad an"),
         ("de", "schalte im Flur die Pumpe ein", "schalte die Pumpe im Flur ein"),
         ("de", "dimme im Flur das Licht auf 20 Prozent", "dimme das Licht im Flur auf 20 Prozent"),
+        ("de", "im Flur dimme das Licht auf 20 Prozent", "dimme das Licht im Flur auf 20 Prozent"),
+        ("de", "im Bad mach das Licht an", "mach das Licht im Bad an"),
+        ("de", "im Flur schalte bitte die Pumpe ein", "schalte die Pumpe im Flur ein"),
+        ("de", "rühr zehn Minuten lang den Brei", "rühr den Brei zehn Minuten lang"),
+        ("de", "zehn Minuten lang den Brei rühren", "rühr den Brei zehn Minuten lang"),
+        ("en", "in the hall dim the light to ten percent", "dim the light in the hall to ten percent"),
         ("de", "gieße am Fenster 3 die Pflanzen", "gieße die Pflanzen am Fenster 3"),
         ("es", "enciende en la cocina la bomba", "enciende la bomba en la cocina"),
         ("es", "mueve durante diez minutos la bomba", "mueve la bomba durante diez minutos"),
@@ -83,6 +93,12 @@ def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> 
         ("de", "mach im Garten das Licht an"),
         ("de", "mach im Flur im Bad das Licht an"),
         ("de", "mach im Flur, das Licht an"),
+        ("de", "im Flur dimme im Bad das Licht auf 20 Prozent"),
+        ("de", "im Flur mach das Licht im Bad an"),
+        ("de", "im Flur ist das Licht an"),
+        ("de", "im Flur dimme nicht das Licht auf 20 Prozent"),
+        ("de", "in zehn Minuten rühr den Brei"),
+        ("de", "rühr zehn Minuten breit den Brei"),
         ("de", "stell im Flur die Lampe"),
         ("de", "ich mach im Flur das Licht an"),
         ("de", "wenn im Flur das Licht an ist"),

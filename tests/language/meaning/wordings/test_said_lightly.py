@@ -29,13 +29,20 @@ intents:
 """,
     "de": """
 language: de
-slots: {zeit: duration, weit: distance}
+slots: {zeit: duration, distance: distance}
 intents:
   öffnen: {action: custom, sentences: ["öffne die Tür"]}
   rühren: {action: custom, sentences: ["rühr den Brei [für {zeit}]"]}
-  fahren: {action: custom, sentences: ["fahr {weit} vor"]}
+  fahren: {action: move, sentences: [{say: "fahr {distance} vor", slots: {direction: forward}}]}
 """,
 }
+PACED = """
+language: de
+slots: {tempo: [langsam, schnell], ort: [Tor, Lager]}
+intents:
+  schwenken: {action: custom, sentences: ["schwenk [{tempo}] zum {ort}"]}
+  öffnen: {action: custom, sentences: ["öffne das {ort}"]}
+"""
 
 
 @pytest.mark.parametrize(
@@ -49,6 +56,14 @@ intents:
         ("it", "apri pure la porta", "apri la porta"),
         ("it", "gira un attimo la gru di dieci gradi", "gira la gru di dieci gradi"),
         ("de", "öffne ruhig die Tür", "öffne die Tür"),
+        ("de", "öffne bitte schnell die Tür", "öffne die Tür"),
+        ("de", "kannst du mal eben schnell die Tür öffnen", "öffne die Tür"),
+        ("de", "schnell, öffne die Tür", "öffne die Tür"),
+        ("fr", "ouvre vite la porte", "ouvre la porte"),
+        ("fr", "vite, ouvrez la porte", "ouvre la porte"),
+        ("fr", "allez, ouvre la porte", "ouvre la porte"),
+        ("es", "abre rápido la puerta", "abre la puerta"),
+        ("es", "abre de una vez la puerta", "abre la puerta"),
         ("de", "fahr nur einen halben Meter vor", "fahr einen halben Meter vor"),
         ("de", "rühr den Brei, und zwar für zehn Minuten", "rühr den Brei für zehn Minuten"),
     ],
@@ -69,9 +84,23 @@ def test_it_is_the_order(engine_of, language: str, said: str, meant: str) -> Non
         ("it", "apri pure domani la porta"),
         ("de", "rühr ein bisschen den Brei"),
         ("de", "rühr den Brei, und zwar morgen"),
+        ("de", "fahr schnell zwei Meter vor"),  # which says how fast
+        ("de", "öffne schneller die Tür"),
+        ("de", "öffne zu schnell die Tür"),
+        ("de", "öffne nicht so schnell die Tür"),
+        ("de", "er öffnet schnell die Tür"),
+        ("fr", "ouvre plus vite la porte"),
+        ("fr", "il ouvre vite la porte"),
+        ("es", "abre más rápido la puerta"),
         ("de", "öffne nur die Tür"),  # and what not?
         ("de", "öffne ruhig nicht die Tür"),
     ],
 )
 def test_what_may_say_more_does_nothing(engine_of, language: str, said: str) -> None:
     assert not engine_of(GRAMMARS[language]).parse(said).actions
+
+
+def test_a_grammar_that_says_how_fast_means_it(engine_of) -> None:
+    engine = engine_of(PACED)
+    assert engine.parse("schwenk mal schnell zum Tor").slots == {"tempo": "schnell", "ort": "Tor"}
+    assert not engine.parse("öffne schnell das Tor").actions

@@ -77,3 +77,63 @@ def test_it_is_the_order(engine_of, language: str, said: str, meant: str) -> Non
 )
 def test_what_tells_forbids_or_is_not_clear_does_nothing(engine_of, language: str, said: str) -> None:
     assert not engine_of(GRAMMARS[language]).parse(said).actions
+
+
+AGAIN = {
+    "fr": """
+language: fr
+slots: {chose: [porte, fenêtre, volet], pièce: [cuisine, salon]}
+intents:
+  ouvrir: {action: custom, sentences: ["ouvre (la|le) {chose}"]}
+  fermer: {action: custom, sentences: ["ferme (la|le) {chose}"]}
+  nettoyer: {action: custom, sentences: ["nettoie (la|le) {pièce}"]}
+""",
+    "es": """
+language: es
+slots: {cosa: [puerta, ventana, grifo]}
+intents:
+  abrir: {action: custom, sentences: ["abre (la|el) {cosa}"]}
+  cerrar: {action: custom, sentences: ["cierra (la|el) {cosa}"]}
+""",
+    "it": """
+language: it
+slots: {cosa: [porta, finestra]}
+intents:
+  aprire: {action: custom, sentences: ["apri la {cosa}"]}
+  chiudere: {action: custom, sentences: ["chiudi la {cosa}"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("fr", "ouvre la porte et ferme-la", "ouvre la porte et ferme la porte"),
+        ("fr", "ouvrez la fenêtre, puis fermez-la", "ouvre la fenêtre puis ferme la fenêtre"),
+        ("fr", "ouvre le volet et ferme-le", "ouvre le volet et ferme le volet"),
+        ("es", "abre la puerta y ciérrala", "abre la puerta y cierra la puerta"),
+        ("es", "abra el grifo y luego ciérrelo", "abre el grifo y luego cierra el grifo"),
+        ("it", "apri la porta e poi chiudila", "apri la porta e poi chiudi la porta"),
+    ],
+)
+def test_a_later_verb_takes_it_up(engine_of, language: str, said: str, meant: str) -> None:
+    assert_same(engine_of(AGAIN[language]), said, meant)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("fr", "ouvre le volet et ferme-la"),  # no such thing was named
+        ("fr", "ouvre la porte et nettoie-la"),
+        ("fr", "ouvre la porte et ne la ferme pas"),
+        ("fr", "ouvre la porte, ouvre la fenêtre et ferme-la"),  # which?
+        ("fr", "ferme-la"),
+        ("es", "abre la puerta y ciérralo"),
+        ("es", "abre la puerta y no la cierres"),
+        ("es", "la puerta y la ventana ciérrala"),
+        ("it", "apri la porta e la chiude Mario"),
+        ("it", "chiudila"),
+    ],
+)
+def test_what_was_not_named_is_not_taken_up(engine_of, language: str, said: str) -> None:
+    assert not engine_of(AGAIN[language]).parse(said).actions

@@ -1,0 +1,85 @@
+"""Reasons told beside a command in French, Spanish and Italian."""
+
+from __future__ import annotations
+
+import pytest
+from meanings import assert_same
+
+GRAMMARS = {
+    "fr": """
+language: fr
+slots: {lieu: [cuisine, chambre]}
+intents:
+  fermer: {action: custom, sentences: ["ferme la porte"]}
+  allumer: {action: custom, sentences: ["allume la lampe"]}
+  aller: {action: custom, sentences: ["va à la {lieu}"]}
+""",
+    "es": """
+language: es
+slots: {lugar: [cocina, sala]}
+intents:
+  cerrar: {action: custom, sentences: ["cierra la puerta"]}
+  encender: {action: custom, sentences: ["enciende la luz"]}
+  ir: {action: custom, sentences: ["ve a la {lugar}"]}
+""",
+    "it": """
+language: it
+slots: {luogo: [cucina, camera]}
+intents:
+  chiudere: {action: custom, sentences: ["chiudi la porta"]}
+  accendere: {action: custom, sentences: ["accendi la luce"]}
+  andare: {action: custom, sentences: ["vai in {luogo}"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("fr", "il fait froid, ferme la porte", "ferme la porte"),
+        ("fr", "ferme la porte, j'ai froid", "ferme la porte"),
+        ("fr", "ferme la porte parce qu'il fait froid", "ferme la porte"),
+        ("fr", "ferme la porte à cause du bruit", "ferme la porte"),
+        ("fr", "allume la lampe pour que je voie mieux", "allume la lampe"),
+        ("fr", "ferme la porte, la soupe est froide", "ferme la porte"),
+        ("es", "cierra la puerta, hace frío", "cierra la puerta"),
+        ("es", "cierra la puerta porque hace frío", "cierra la puerta"),
+        ("es", "tengo miedo, enciende la luz", "enciende la luz"),
+        ("es", "ve a la cocina, la sopa está fría", "ve a la cocina"),
+        ("es", "enciende la luz, así puedo ver", "enciende la luz"),
+        ("it", "chiudi la porta, fa freddo", "chiudi la porta"),
+        ("it", "chiudi la porta perché fa freddo", "chiudi la porta"),
+        ("it", "ho paura, accendi la luce", "accendi la luce"),
+        ("it", "vai in cucina, la zuppa è pronta", "vai in cucina"),
+        ("it", "accendi la luce così posso leggere", "accendi la luce"),
+    ],
+)
+def test_the_command_is_the_same(engine_of, language: str, said: str, meant: str) -> None:
+    assert_same(engine_of(GRAMMARS[language]), said, meant)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("fr", "ferme la porte quand il fait froid"),
+        ("fr", "ferme la porte, il dit"),
+        ("fr", "ferme la porte, c'est une blague"),
+        ("fr", "va à la cuisine, c'est la chambre"),
+        ("fr", "ferme la porte, il ne fait pas froid"),
+        ("fr", "il fait froid"),
+        ("fr", "j'ai froid et ferme la porte"),
+        ("es", "cierra la puerta cuando hace frío"),
+        ("es", "cierra la puerta, hace dos minutos"),
+        ("es", "cierra la puerta, dice el jefe"),
+        ("es", "cierra la puerta que hay en la cocina"),
+        ("es", "enciende la luz para que pueda ver"),  # "para" stops
+        ("es", "hace frío"),
+        ("it", "chiudi la porta quando fa freddo"),
+        ("it", "chiudi la porta, ha detto"),
+        ("it", "perché chiudi la porta"),
+        ("it", "chiudi la porta se fa freddo"),
+        ("it", "fa freddo"),
+    ],
+)
+def test_what_is_no_reason_does_nothing(engine_of, language: str, said: str) -> None:
+    assert not engine_of(GRAMMARS[language]).parse(said).actions
