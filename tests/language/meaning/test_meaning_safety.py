@@ -107,6 +107,7 @@ TAILS = [
 @quick
 @given(commands(), st.sampled_from(TAILS))
 @example("turn counterclockwise", "in five minutes")
+@example("normally advance ahead", "in five minutes")
 @example("drive straight ahead", "in five minutes")
 @example("turn right ninety degrees", "every day")
 @example("go to the charging station", "huh")

@@ -39,6 +39,19 @@ class SaidFirst:
 
     def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
         """Ways to say one command with its verb first, each with the places where the words stand that came before."""
+        for told, before in self._parted(core, verbs):
+            for at in (len(told), *(at for at in range(2, len(told)) if told[at] in self._leads)):
+                yield Utterance.in_one_breath([*told[:at], *before, *told[at:]]), range(at, at + len(before))
+
+    def behind_the_verb(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
+        """The same with those words straight behind the verb: "im Flur dimme das Licht" is "dimme im Flur das Licht".
+        None that say in how long something is done."""
+        for told, before in self._parted(core, verbs):
+            if before[0] not in self._says_when or evaluate(before[1:], "duration", self._language) is None:
+                yield Utterance.in_one_breath([told[0], *before, *told[1:]]), range(1, 1 + len(before))
+
+    def _parted(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[list[str], list[str]]]:
+        """The words from the verb of one command on, and those before it."""
         words = core.words
         led = self.leads(core)
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
@@ -47,21 +60,8 @@ class SaidFirst:
             verb = place + (0 if words[place] in verbs else self._phrases.merely.at(words, place))  # "just hover"
             told = core.part(verb, len(core))
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
-            if not told.words or told.words[0] not in verbs or parted or self._joins(core):
-                continue
-            moved = words[:place]
-            for at in (len(told), *(at for at in range(2, len(told)) if told.words[at] in self._leads)):
-                yield Utterance.in_one_breath([*told.words[:at], *moved, *told.words[at:]]), range(at, at + place)
-
-    def behind_the_verb(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
-        """The same with those words straight behind the verb: "im Flur dimme das Licht" is "dimme im Flur das Licht".
-        None that say in how long something is done."""
-        for way, moved in self.verb_first(core, verbs):
-            before = [way.words[at] for at in moved]
-            timed = before[0] in self._says_when and evaluate(before[1:], "duration", self._language) is not None
-            if not timed:
-                verb, *behind = way.words[: moved.start]
-                yield Utterance.in_one_breath([verb, *before, *behind]), range(1, 1 + len(before))
+            if told.words and told.words[0] in verbs and not parted and not self._joins(core):
+                yield told.words, words[:place]
 
     def _joins(self, core: Utterance) -> bool:
         """Whether anything joins two commands: not the "and" of "an hour and a half"."""

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.said_first import SaidFirst
+from intent_engine.language.utterance import Utterance
 
 FARM = """
 language: en
@@ -144,3 +149,26 @@ def test_it_is_the_same_in_other_languages(engine_of, language: str, said: str, 
 )
 def test_what_is_told_or_of_another_time_is_none_in_other_languages(engine_of, language: str, said: str) -> None:
     assert not engine_of(GREENHOUSE[language]).parse(said).actions
+
+
+WORDS = st.sampled_from(
+    "slowly quickly for in with from two ten minutes liters water drive push turn the north bed tap to just".split()
+)
+
+
+@given(st.lists(WORDS, min_size=1, max_size=9))
+def test_another_order_has_all_the_words(farm: IntentEngine, words: list[str]) -> None:
+    """But for what says no more before a verb: "for two minutes *just* hover"."""
+    (grammar,) = farm.grammars
+    rule, said = SaidFirst(grammar, Phrases(grammar)), Utterance.in_one_breath(words)
+    verbs = {"water", "drive", "push", "turn"}
+    for way, moved in (*rule.verb_first(said, verbs), *rule.behind_the_verb(said, verbs), *rule.manner_first(said)):
+        less = len(words) - len(way)
+        assert sorted([*way.words, *["just"] * less]) == sorted(words)
+        assert less in (0, 1)
+        assert range(len(way))[moved.start : moved.stop] == moved
+
+
+def test_nothing_that_was_said_is_left_out(farm: IntentEngine) -> None:
+    assert not farm.parse("slowly drive to the south bed in ten minutes").actions
+    assert not farm.parse("slowly push the cart to the barn, uh, for you").actions
