@@ -115,4 +115,12 @@ class Reasons:
 
     def _tells_no_more(self, words: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether there are words, and they have nothing of a command or of a condition."""
-        return 0 < len(words) <= _MOST and not any(word in verbs or word in self._closed for word in words)
+        if not 0 < len(words) <= _MOST or not self._closed.isdisjoint(words):
+            return False
+        return not any(self._commands(words[at:]) for at, word in enumerate(words) if word in verbs)
+
+    def _commands(self, words: Sequence[str]) -> bool:
+        """Whether words are a command, or several of them begin one: "it's so *switch the fan*". One that may begin one
+        is as likely another: "the battery is *full*"."""
+        said = [*words]
+        return bool(self._matcher.read(said)) or (len(said) > 1 and self._matcher.prefix(said)[1] is not None)

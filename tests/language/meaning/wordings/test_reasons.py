@@ -58,6 +58,8 @@ def test_behind_a_command_it_changes_nothing(engine: IntentEngine, reason: str, 
         ("turn the lamp on so I can see", "turn the lamp on"),
         ("turn the lamp on so that we can see the steps", "turn the lamp on"),
         ("It's too tight in here, let's switch that wide lens on", "switch the wide lens on"),
+        ("there is water on the floor, sing", "sing"),
+        ("the switch is broken, turn on the lamp", "turn on the lamp"),
         ("it's dark, could you switch on your lamp?", "switch on the lamp"),
         ("the guests are in the kitchen, go to the bathroom", "go to the bathroom"),
         ("turn on the lamp, the lamp is new", "turn on the lamp"),
@@ -83,7 +85,7 @@ def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
         "turn the lamp on, it's the fan",
         # Another command, a condition, a denial.
         "it's so switch the fan", "turn left, it's dark when I come", "turn the lamp on, it's dark if you leave",
-        "turn the lamp on, it's not dark", "it's dark, don't turn the lamp on", "there is water on the floor, sing",
+        "turn the lamp on, it's not dark", "it's dark, don't turn the lamp on", "it's late sing, turn left",
         "you are to turn right, turn left", "turn the lamp on, it was dark",
         # A pronoun may stand for what the reason is told of.
         "the lamp is dark, turn it on", "turn it on, the lamp is dark",
