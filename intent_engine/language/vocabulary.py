@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
-__all__ = ["vocabulary", "words_in"]
+__all__ = ["listed_words", "vocabulary", "words_in"]
 
 
 def vocabulary(grammar: Grammar) -> frozenset[str]:
@@ -16,6 +16,12 @@ def vocabulary(grammar: Grammar) -> frozenset[str]:
     trees += grammar.phrases.values()
     trees += [node for slot in grammar.slots.values() for _, node in (*slot.values, *slot.units)]
     return frozenset(word for tree in trees for word in words_in(tree))
+
+
+def listed_words(grammar: Grammar) -> frozenset[str]:
+    """Every word of the values of its lists."""
+    nodes = (node for slot in grammar.slots.values() if slot.type == "choice" for _, node in slot.values)
+    return frozenset(word for node in nodes for word in words_in(node))
 
 
 def words_in(node: Node) -> Iterator[str]:

@@ -58,7 +58,7 @@ class FreeText:
         self._whither = words.joining.intersection(words.contracted)
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
-        self._binding = words.joining | self.articles | words.binding
+        self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
         english = grammar.language == "en"
         self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()
         """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""

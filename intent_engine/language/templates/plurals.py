@@ -14,7 +14,7 @@ from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.slots.name_words import singular
 from intent_engine.language.templates.spellings import own_words
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import words_in
+from intent_engine.language.vocabulary import listed_words
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Plurals"]
@@ -130,8 +130,7 @@ class Plurals:
     @cached_property
     def _listed(self) -> frozenset[str]:
         """Words of the values of lists."""
-        nodes = (node for slot in self._grammar.slots.values() if slot.type == "choice" for _, node in slot.values)
-        return frozenset(word for node in nodes for word in words_in(node))
+        return listed_words(self._grammar)
 
     @cached_property
     def _more(self) -> dict[str, list[str]]:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from intent_engine.language.grammar import FREE_KINDS, Grammar
-from intent_engine.language.meaning.told import Understood
-from intent_engine.language.reading import Reading
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.told import Understood, free_words_of, readings_of
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.slots.name_words import singular
 from intent_engine.language.utterance import Utterance
@@ -50,7 +49,7 @@ class PersonsNamed:
         for value, name in self._names(before) if before is not None else ():
             ways = (as_said(_with_name(core, places, (*article, *name))) for article in self._articles)
             way = next(filter(None, ways), None)
-            if way is not None and not _is_free(way, name):
+            if way is not None and free_words_of(way).isdisjoint(name):
                 found.setdefault(value, way)
         return next(iter(found.values())) if len(found) == 1 else None
 
@@ -67,7 +66,7 @@ class PersonsNamed:
 
     def _names(self, before: Understood) -> Iterator[tuple[object, Sequence[str]]]:
         """The names of lists in commands, each with what it stands for. More than one thing is neither of both."""
-        for reading in _readings(before):
+        for reading in readings_of(before):
             for slot in (one for one in reading.slots if one.slot.type == "choice"):
                 led = slot.start > 0 and reading.words[slot.start - 1] in self._definite
                 if not (led and any(singular(tuple(reading.words[slot.end - 1 : slot.end]), self._plurals))):
@@ -78,17 +77,3 @@ def _with_name(core: Utterance, places: Sequence[int], name: Sequence[str]) -> U
     for at in reversed(places):
         core = core.with_other(at, at + 1, Utterance.in_one_breath(name))
     return core
-
-
-def _is_free(understood: Understood, name: Sequence[str]) -> bool:
-    """Whether a name stands where any words may."""
-    return any(
-        not set(name).isdisjoint(reading.words[slot.start : slot.end])
-        for reading in _readings(understood)
-        for slot in reading.slots
-        if slot.slot.type in FREE_KINDS
-    )
-
-
-def _readings(understood: Understood) -> list[Reading]:
-    return [part.reading for part in understood[1] if part.reading is not None]

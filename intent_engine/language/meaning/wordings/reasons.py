@@ -8,7 +8,7 @@ from functools import cached_property
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import words_in
+from intent_engine.language.vocabulary import listed_words
 from intent_engine.language.words.contractions import apart
 from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -101,9 +101,8 @@ class Reasons:
     @cached_property
     def _names(self) -> frozenset[str]:
         """The words of every value that is listed, and of every place."""
-        listed = (node for slot in self._matcher.grammar.slots.values() for _, node in slot.values)
         places = (words for words, _ in self._matcher.locations.names()) if self._matcher.locations else ()
-        return frozenset(word for node in listed for word in words_in(node)).union(*places)
+        return listed_words(self._matcher.grammar).union(*places)
 
     def _behind_a_thing(self, told: Sequence[str], begin: int, verbs: Collection[str]) -> int:
         """Where what is told of a thing goes on behind its verb; 0: no thing is told of."""

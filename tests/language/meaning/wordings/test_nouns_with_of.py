@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import assert_same
 
 from intent_engine.engine import IntentEngine
 
@@ -50,9 +51,7 @@ def engine(engine_of) -> IntentEngine:
     ],
 )  # fmt: skip
 def test_it_is_the_noun_before_the_other(engine, said: str, meant: str) -> None:
-    actions = engine.parse(meant).actions
-    assert actions
-    assert engine.parse(said).actions == actions
+    assert_same(engine, said, meant)
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import assert_same
 
 from intent_engine.engine import IntentEngine
 
@@ -51,9 +52,7 @@ def studio(engine_of) -> IntentEngine:
     ],
 )  # fmt: skip
 def test_it_is_the_one_who_was_named(studio, said: str, in_full: str) -> None:
-    actions = studio.parse(in_full).actions
-    assert actions
-    assert studio.parse(said).actions == actions
+    assert_same(studio, said, in_full)
 
 
 @pytest.mark.parametrize(

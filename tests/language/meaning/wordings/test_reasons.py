@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
+from meanings import assert_same
 
 from intent_engine import IntentEngine
 
@@ -42,12 +43,13 @@ def engine(engine_of) -> IntentEngine:
 
 @given(st.sampled_from(REASONS), st.sampled_from(COMMANDS), st.sampled_from([", ", ". ", " - ", ", so ", ", please "]))
 def test_before_a_command_it_changes_nothing(engine: IntentEngine, reason: str, command: str, pause: str) -> None:
-    assert engine.parse(f"{reason}{pause}{command}").actions == engine.parse(command).actions != ()
+    assert_same(engine, f"{reason}{pause}{command}", command)
 
 
 @given(st.sampled_from(REASONS), st.sampled_from(COMMANDS), st.sampled_from([", ", ". ", ", since ", " because "]))
+@example("it's dark", "fetch the cup", " since ")
 def test_behind_a_command_it_changes_nothing(engine: IntentEngine, reason: str, command: str, pause: str) -> None:
-    assert engine.parse(f"{command}{pause}{reason}").actions == engine.parse(command).actions != ()
+    assert_same(engine, f"{command}{pause}{reason}", command)
 
 
 @pytest.mark.parametrize(
@@ -68,7 +70,7 @@ def test_behind_a_command_it_changes_nothing(engine: IntentEngine, reason: str, 
     ],
 )
 def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
-    assert engine.parse(said).actions == engine.parse(command).actions != ()
+    assert_same(engine, said, command)
 
 
 @pytest.mark.parametrize(
@@ -110,79 +112,3 @@ def test_no_place_of_the_map_is_a_reason(engine_of) -> None:
     engine = engine_of(grammar, locations={"lab": (0, 0, 0), "old mill": (1, 0, 0)})
     assert not engine.parse("go to the lab, it's old mill").actions
     assert engine.parse("go to the lab, it's late").actions
-
-
-FOREIGN = {
-    "de": """
-language: de
-slots: {teil: [Lampe, Heizung], raum: [Küche, Bad]}
-intents:
-  an: {action: custom, sentences: ["schalte die {teil} ein"]}
-  fahren: {action: custom, sentences: ["fahr in (die|das) {raum}"]}
-""",
-    "fr": """
-language: fr
-slots: {lieu: [cave, cuisine]}
-intents:
-  allumer: {action: custom, sentences: ["allume la lampe"]}
-  aller: {action: custom, sentences: ["va à la {lieu}"]}
-""",
-    "es": """
-language: es
-slots: {zona: [cocina, terraza]}
-intents:
-  encender: {action: custom, sentences: ["enciende la luz"]}
-  ir: {action: custom, sentences: ["ve a la {zona}"]}
-""",
-    "it": """
-language: it
-slots: {luogo: [cantina, cucina]}
-intents:
-  accendere: {action: custom, sentences: ["accendi la luce"]}
-  andare: {action: custom, sentences: ["vai in {luogo}"]}
-""",
-}
-
-
-@pytest.mark.parametrize(
-    ("language", "said", "command"),
-    [
-        ("de", "es ist dunkel, schalte die Lampe ein", "schalte die Lampe ein"),
-        ("de", "schalte die Heizung ein, mir ist kalt", "schalte die Heizung ein"),
-        ("de", "schalte bitte die Lampe ein, damit ich etwas sehe", "schalte die Lampe ein"),
-        ("de", "fahr in die Küche, weil das Bad voll ist", "fahr in die Küche"),
-        ("de", "meine Füße sind kalt, schalte mal die Heizung ein", "schalte die Heizung ein"),
-        ("de", "schalte die Lampe ein, denn es wird dunkel", "schalte die Lampe ein"),
-        ("de", "fahr in die Küche, es ist das Bad", None),
-        ("de", "fahr in die Küche, sagt er", None),
-        ("de", "es ist ein Witz, fahr in die Küche", None),
-        ("de", "schalte die Lampe ein, wenn es dunkel ist", None),
-        ("de", "es ist nicht dunkel, schalte die Lampe ein", None),
-        ("de", "weil es dunkel ist", None),
-        ("fr", "c'est trop sombre, allume la lampe", "allume la lampe"),
-        ("fr", "allume la lampe parce qu'il fait nuit", "allume la lampe"),
-        ("fr", "j'ai froid, va à la cave", "va à la cave"),
-        ("fr", "mes pieds sont froids, va à la cave", "va à la cave"),
-        ("fr", "va à la cuisine, c'est la cave", None),
-        ("fr", "il dit va à la cave", None),
-        ("fr", "allume la lampe quand il fait nuit", None),
-        ("fr", "ce n'est pas sombre, allume la lampe", None),
-        ("es", "está muy oscuro, enciende la luz", "enciende la luz"),
-        ("es", "enciende la luz, porque tengo frío", "enciende la luz"),
-        ("es", "enciende la luz, así puedo ver", "enciende la luz"),
-        ("es", "la puerta está abierta, ve a la terraza", "ve a la terraza"),
-        ("es", "ve a la cocina, es la terraza", None),
-        ("es", "dice que enciende la luz", None),
-        ("es", "enciende la luz cuando esté oscuro", None),
-        ("it", "è troppo buio, accendi la luce", "accendi la luce"),
-        ("it", "accendi la luce perché ho freddo", "accendi la luce"),
-        ("it", "c'è gente alla porta, vai in cucina", "vai in cucina"),
-        ("it", "vai in cucina, è la cantina", None),
-        ("it", "vai in cucina, è cantina", None),
-        ("it", "mio padre dice vai in cucina", None),
-    ],
-)
-def test_in_other_languages(engine_of, language: str, said: str, command: str | None) -> None:
-    engine = engine_of(FOREIGN[language])
-    assert engine.parse(said).actions == (engine.parse(command).actions if command else ())
-    assert command is None or engine.parse(command).actions

@@ -1,4 +1,4 @@
-"""Reasons told beside a command in French, Spanish and Italian."""
+"""Reasons told beside a command in German, French, Spanish and Italian."""
 
 from __future__ import annotations
 
@@ -6,6 +6,13 @@ import pytest
 from meanings import assert_same
 
 GRAMMARS = {
+    "de": """
+language: de
+slots: {teil: [Lampe, Heizung], raum: [Küche, Bad]}
+intents:
+  an: {action: custom, sentences: ["schalte die {teil} ein"]}
+  fahren: {action: custom, sentences: ["fahr in (die|das) {raum}"]}
+""",
     "fr": """
 language: fr
 slots: {lieu: [cuisine, chambre]}
@@ -36,6 +43,22 @@ intents:
 @pytest.mark.parametrize(
     ("language", "said", "meant"),
     [
+        ("de", "es ist dunkel, schalte die Lampe ein", "schalte die Lampe ein"),
+        ("de", "schalte die Heizung ein, mir ist kalt", "schalte die Heizung ein"),
+        ("de", "schalte bitte die Lampe ein, damit ich etwas sehe", "schalte die Lampe ein"),
+        ("de", "fahr in die Küche, weil das Bad voll ist", "fahr in die Küche"),
+        ("de", "meine Füße sind kalt, schalte mal die Heizung ein", "schalte die Heizung ein"),
+        ("de", "schalte die Lampe ein, denn es wird dunkel", "schalte die Lampe ein"),
+        ("fr", "c'est trop sombre, allume la lampe", "allume la lampe"),
+        ("fr", "allume la lampe parce qu'il fait nuit", "allume la lampe"),
+        ("fr", "j'ai froid, va à la chambre", "va à la chambre"),
+        ("fr", "mes pieds sont froids, va à la chambre", "va à la chambre"),
+        ("es", "está muy oscuro, enciende la luz", "enciende la luz"),
+        ("es", "enciende la luz, porque tengo frío", "enciende la luz"),
+        ("es", "la puerta está abierta, ve a la sala", "ve a la sala"),
+        ("it", "è troppo buio, accendi la luce", "accendi la luce"),
+        ("it", "accendi la luce perché ho freddo", "accendi la luce"),
+        ("it", "c'è gente alla porta, vai in cucina", "vai in cucina"),
         ("fr", "il fait froid, ferme la porte", "ferme la porte"),
         ("fr", "ferme la porte, j'ai froid", "ferme la porte"),
         ("fr", "ferme la porte parce qu'il fait froid", "ferme la porte"),
@@ -61,6 +84,21 @@ def test_the_command_is_the_same(engine_of, language: str, said: str, meant: str
 @pytest.mark.parametrize(
     ("language", "said"),
     [
+        ("de", "fahr in die Küche, es ist das Bad"),
+        ("de", "fahr in die Küche, sagt er"),
+        ("de", "es ist ein Witz, fahr in die Küche"),
+        ("de", "schalte die Lampe ein, wenn es dunkel ist"),
+        ("de", "es ist nicht dunkel, schalte die Lampe ein"),
+        ("de", "weil es dunkel ist"),
+        ("fr", "il dit va à la chambre"),
+        ("fr", "allume la lampe quand il fait nuit"),
+        ("fr", "ce n'est pas sombre, allume la lampe"),
+        ("es", "ve a la cocina, es la sala"),
+        ("es", "dice que enciende la luz"),
+        ("es", "enciende la luz cuando esté oscuro"),
+        ("it", "vai in cucina, è la camera"),
+        ("it", "vai in cucina, è camera"),
+        ("it", "mio padre dice vai in cucina"),
         ("fr", "ferme la porte quand il fait froid"),
         ("fr", "ferme la porte, il dit"),
         ("fr", "ferme la porte, c'est une blague"),
