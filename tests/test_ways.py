@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from meanings import shipped
 
-from intent_engine.engine import IntentEngine
 from intent_engine.ways import opposite_ways, ways
 
-ENGINE = IntentEngine.from_files("en", locations="home")
+ENGINE = shipped()
 SAID = ["go forward", "go back two meters", "turn left", "turn right ninety degrees", "pick up the cup", "stop"]
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from meanings import shipped
 
 from intent_engine import IntentEngine
 
-SHIPPED = IntentEngine.from_files("en", locations="home")
+SHIPPED = shipped()
 GRAMMAR = """
 language: en
 slots:

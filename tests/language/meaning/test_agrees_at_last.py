@@ -6,11 +6,11 @@ import pytest
 from continuing_stage import Talk
 from hypothesis import given
 from hypothesis import strategies as st
+from meanings import shipped
 
-from intent_engine import IntentEngine
 from intent_engine.actions import Stop
 
-ENGLISH = IntentEngine.from_files("en", locations="home")
+ENGLISH = shipped()
 AGREES = ["okay right", "yeah right", "right, okay", "right, right", "right right"]
 
 

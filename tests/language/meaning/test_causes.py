@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import pytest
+from meanings import shipped
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Cause, Status
 
 QUOTES = ("corrected to", "no place is called home", "negated", "cancelled", "said to a robot that moves")
-
-
-@cache
-def home() -> IntentEngine:
-    return IntentEngine.from_files("en", locations="home")
 
 
 @pytest.mark.parametrize(
@@ -35,7 +29,7 @@ def home() -> IntentEngine:
     ],
 )
 def test_a_reason_is_of_its_kind(said: str, state: tuple[str, ...], causes: set[Cause]) -> None:
-    assert home().parse(said, state=state).causes == causes
+    assert shipped().parse(said, state=state).causes == causes
 
 
 def test_a_speed_that_a_program_does_not_get_is_beyond_its_limits(engine_of) -> None:
@@ -51,7 +45,7 @@ intents:
 @pytest.mark.parametrize("quoted", QUOTES)
 @pytest.mark.parametrize("said", ["turn left and {}", "go to the {}", "{}", "turn left, {} right"])
 def test_words_that_reasons_have_are_no_reason(said: str, quoted: str) -> None:
-    found = home().parse(said.format(quoted), state=("moving",))
+    found = shipped().parse(said.format(quoted), state=("moving",))
     assert found.causes <= ({Cause.NO_COMMAND, Cause.UNKNOWN_PLACE} if "go to" in said else {Cause.NO_COMMAND})
 
 
@@ -71,6 +65,6 @@ def test_a_question_asked_once_more_has_another_reason() -> None:
 
 
 def test_how_it_is_done_is_told_though_another_word_is_none_either() -> None:
-    found = home().parse("make a hard clockwise turn eventually")
+    found = shipped().parse("make a hard clockwise turn eventually")
     assert found.reason.startswith("'eventually' says how it is done")
-    assert home().parse("pick up the cup quickly").reason == "'quickly' is nothing for slot 'thing'"
+    assert shipped().parse("pick up the cup quickly").reason == "'quickly' is nothing for slot 'thing'"

@@ -5,12 +5,11 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import german
+from meanings import german, shipped
 
-from intent_engine import IntentEngine
 from intent_engine.actions import Pick, Place
 
-ENGLISH = IntentEngine.from_files("en", locations="home")
+ENGLISH = shipped()
 THINGS = ["it", "that", "the cup", "the red cup", "the big red cup"]
 PLACES = ["the table", "the big table", "the big old table"]
 

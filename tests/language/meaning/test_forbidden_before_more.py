@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import shipped
 from test_commands_denied import CLEAN_LAB, GRAMMARS, grammar
 
 from intent_engine.actions import Custom, Navigate, Pick, Turn
@@ -12,7 +13,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Status
 
-ENGLISH = IntentEngine.from_files("en", locations="home")
+ENGLISH = shipped()
 CLEAN_HALL = Custom("clean", {"room": "hall"})
 
 

@@ -6,13 +6,12 @@ import pytest
 from continuing_stage import Talk
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import german
+from meanings import german, shipped
 
-from intent_engine import IntentEngine
 from intent_engine.actions import Stop
 from intent_engine.execution.goal import GoalState
 
-ENGLISH = IntentEngine.from_files("en", locations="home")
+ENGLISH = shipped()
 HOLDS = ["wait", "hold on", "one moment", "no, wait", "hang on please", "scratch that", "never mind", "don't", "enough"]
 REST = ["there is a cat", "wrong way", "the cat is there", "I need to think", "where are you going", "go to the"]
 

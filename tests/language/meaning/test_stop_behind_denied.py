@@ -4,11 +4,12 @@ word."""
 from __future__ import annotations
 
 import pytest
+from meanings import german, shipped
 
 from intent_engine.engine import IntentEngine
 
-ENGLISH = IntentEngine.from_files("en", locations="home")
-GERMAN = IntentEngine.from_files("de", locations="zuhause")
+ENGLISH = shipped()
+GERMAN = german()
 
 
 @pytest.mark.parametrize(

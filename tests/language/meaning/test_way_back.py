@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import done, shipped
+from meanings import done, german, shipped
 
 from intent_engine import IntentEngine, Status
 
@@ -13,11 +13,6 @@ WAYS = st.sampled_from(
     ["go to the kitchen", "drive to the dock", "go forward two meters", "move forward for two seconds"]
 )
 JOINTS = st.sampled_from([" and ", ", ", " and then ", ", then "])
-
-
-@pytest.fixture(scope="module")
-def german() -> IntentEngine:
-    return IntentEngine.from_files("de", locations="zuhause")
 
 
 @given(WAYS, JOINTS, st.sampled_from(["back", "go back", "drive back", "please go back"]))
@@ -91,5 +86,5 @@ def test_behind_what_goes_nowhere_in_particular_it_is_backward(said: str) -> Non
 
 
 @pytest.mark.parametrize("said", ["fahr in die Küche und zurück", "fahr zwei Meter vor und dann wieder zurück"])
-def test_in_german(german: IntentEngine, said: str) -> None:
-    assert not german.parse(said).actions
+def test_in_german(said: str) -> None:
+    assert not german().parse(said).actions

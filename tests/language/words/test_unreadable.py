@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from meanings import shipped
 
 from intent_engine import IntentEngine, Stop
 from intent_engine.interpretation import Status
 from intent_engine.testing import moves, sentences
 
-ENGINE = IntentEngine.from_files("en", locations="home")
+ENGINE = shipped()
 LOST = ("\ufffd", "\udcbd")
 
 
