@@ -36,10 +36,10 @@ def go_forward() -> np.ndarray:
         ("speech.wav", 96_000, 2, "FLOAT"),
     ],
 )
-def test_any_rate_and_number_of_channels(intent_engine, tmp_path, go_forward, name, rate, channels, subtype):
+def test_any_rate_and_number_of_channels(in_process, tmp_path, go_forward, name, rate, channels, subtype):
     samples = soxr.resample(go_forward, RATE, rate)
     soundfile.write(tmp_path / name, np.stack([samples] * channels, axis=1), rate, subtype=subtype)
-    done = intent_engine("run", tmp_path / name)
+    done = in_process("run", tmp_path / name)
     assert done.returncode == 0, done.stdout + done.stderr
     lines = done.stdout.splitlines()
     order = ["heard", "understood  move direction=forward distance=2", "doing       move forward 2.00 m", "done"]
@@ -48,9 +48,9 @@ def test_any_rate_and_number_of_channels(intent_engine, tmp_path, go_forward, na
     assert done.stderr == ""
 
 
-def test_json_lines(intent_engine, tmp_path, go_forward):
+def test_json_lines(in_process, tmp_path, go_forward):
     soundfile.write(tmp_path / "speech.wav", go_forward, RATE)
-    done = intent_engine("run", "--json", tmp_path / "speech.wav")
+    done = in_process("run", "--json", tmp_path / "speech.wav")
     assert done.returncode == 0, done.stderr
     events = [json.loads(line) for line in done.stdout.splitlines()]
     kinds = [event["event"] for event in events]
@@ -66,13 +66,13 @@ def test_json_lines(intent_engine, tmp_path, go_forward):
     assert times == sorted(times)
 
 
-def test_talk_that_is_no_command_moves_nothing(intent_engine, tmp_path):
+def test_talk_that_is_no_command_moves_nothing(in_process, tmp_path):
     labels = [json.loads(line) for line in (ROOT / "examples" / "demo.jsonl").read_text("utf-8").splitlines()]
     talk = next(label for label in labels if not label["action"])
     start, stop = int((talk["start"] - 0.5) * RATE), int((talk["end"] + 0.5) * RATE)
     samples, _ = soundfile.read(DEMO, start=start, stop=stop)
     soundfile.write(tmp_path / "talk.flac", samples, RATE)
-    done = intent_engine("run", "--json", tmp_path / "talk.flac")
+    done = in_process("run", "--json", tmp_path / "talk.flac")
     assert done.returncode == 1
     events = [json.loads(line) for line in done.stdout.splitlines()]
     assert not [event for event in events if event["event"] == "goal"]
@@ -80,9 +80,9 @@ def test_talk_that_is_no_command_moves_nothing(intent_engine, tmp_path):
     assert events[-1]["pose"] == {"x": 0.0, "y": 0.0, "yaw": 0.0, "frame": "map"}
 
 
-def test_the_demo_is_understood_as_it_was_written(intent_engine):
+def test_the_demo_is_understood_as_it_was_written(in_process):
     labels = [json.loads(line) for line in (ROOT / "examples" / "demo.jsonl").read_text("utf-8").splitlines()]
-    done = intent_engine("run", "--json", DEMO)
+    done = in_process("run", "--json", DEMO)
     assert done.returncode == 0, done.stdout + done.stderr
     events = [json.loads(line) for line in done.stdout.splitlines()]
     said = [event["interpretation"] for event in events if event["event"] == "interpretation"]
