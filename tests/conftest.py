@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
@@ -75,7 +76,8 @@ def engine() -> IntentEngine:
 
 @pytest.fixture(scope="session")
 def engine_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., IntentEngine]:
-    """The engine of a grammar that a test has written down; options as those of ``from_files``."""
+    """The engine of a grammar that a test has written down; options as those of ``from_files``. Rows of one table that
+    write down the same grammar share its engine, which no parse changes."""
 
     def made(grammar: str, **options: Any) -> IntentEngine:
         from intent_engine import IntentEngine
@@ -84,7 +86,8 @@ def engine_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., IntentE
         file.write_text(grammar, "utf-8")
         return IntentEngine.from_files(file, **options)
 
-    return made
+    shared = lru_cache(maxsize=8)(made)
+    return lambda grammar, **options: made(grammar, **options) if options else shared(grammar)
 
 
 @pytest.fixture

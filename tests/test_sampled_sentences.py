@@ -143,6 +143,7 @@ def test_a_list_of_commands_is_done_whole_and_in_order_or_not_at_all(name):
     plain = [joint for joint in joints if joint in ("and", "then", "and then", "und", "dann", "und dann")]
     assert len(plain) == 3
 
+    @cache  # of the parts, each is asked about several times
     def actions(text):
         found = engine.parse(text)
         return found.actions if found.status is Status.ACCEPTED else ()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -144,12 +146,17 @@ WHERE = [(shipped, name) for name in ("navigate", "turn", "pick", "place")]
 WHERE += [(german, name) for name in ("turn", "pick", "place")]
 
 
+@cache
+def sampler_of(engine):
+    return Sampler(engine.grammar, engine.locations)
+
+
 @st.composite
 def lists(draw):
     """An engine, a command, a joint, what goes on from it, and what both do."""
     of, intent = draw(st.sampled_from(WHERE))
     engine = of()
-    sampler = Sampler(engine.grammar, engine.locations)
+    sampler = sampler_of(engine)
     first = sampler.draw(RandomChoices(draw(st.integers(0, 10**6))), intent)
     then = sampler.attempt_later(RandomChoices(draw(st.integers(0, 10**6))), first)
     assume(then is not None)

@@ -42,12 +42,15 @@ DUTCH = "operators: {negation: [niet], stop: [halt]}"
 
 
 @cache
-def engine_of(language: str) -> IntentEngine:
+def written(grammar: str) -> IntentEngine:
     with TemporaryDirectory() as folder:
-        file = Path(folder) / "walk.yaml"
-        operators = DUTCH if language == "nl" else ""
-        file.write_text(GRAMMAR.format(language=language, operators=operators), "utf-8")
+        file = Path(folder) / "own.yaml"
+        file.write_text(grammar, "utf-8")
         return IntentEngine.from_files(file)
+
+
+def engine_of(language: str) -> IntentEngine:
+    return written(GRAMMAR.format(language=language, operators=DUTCH if language == "nl" else ""))
 
 
 @cache
@@ -171,20 +174,15 @@ intents:
         ("2g 500mg", 2.5),
     ],
 )
-def test_a_sign_that_scales_numbers_may_be_a_unit(tmp_path: Path, said: str, mass: float) -> None:
-    file = tmp_path / "grams.yaml"
-    file.write_text(GRAMS, "utf-8")
-    assert IntentEngine.from_files(file).parse(f"weigh {said} of flour").slots == {"mass": mass}
+def test_a_sign_that_scales_numbers_may_be_a_unit(said: str, mass: float) -> None:
+    assert written(GRAMS).parse(f"weigh {said} of flour").slots == {"mass": mass}
 
 
 @given(kilos=st.integers(1, 50), grams=st.integers(1, 999), joint=st.sampled_from([" ", " and "]))
 def test_a_larger_and_a_smaller_unit_add_up(kilos: int, grams: int, joint: str) -> None:
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / "grams.yaml"
-        file.write_text(GRAMS, "utf-8")
-        engine = IntentEngine.from_files(file)
-        assert engine.parse(f"weigh {kilos} kg{joint}{grams} g of flour").slots == {"mass": kilos * 1000 + grams}
-        assert not engine.parse(f"weigh {grams} g{joint}{kilos} kg of flour").actions
+    engine = written(GRAMS)
+    assert engine.parse(f"weigh {kilos} kg{joint}{grams} g of flour").slots == {"mass": kilos * 1000 + grams}
+    assert not engine.parse(f"weigh {grams} g{joint}{kilos} kg of flour").actions
 
 
 @given(
@@ -203,14 +201,11 @@ def test_a_number_alone_counts_ones_only_where_these_have_no_other_name(number: 
       weigh: {{action: custom, sentences: ["weigh {{mass}}"]}}
       count: {{action: custom, sentences: ["count {{eggs}}"]}}
     """
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / "own.yaml"
-        file.write_text(grammar.format(more=more, unit=unit), "utf-8")
-        engine = IntentEngine.from_files(file)
-        assert bool(engine.parse(f"weigh {number}").actions) == bool(unit)
-        assert engine.prefix(f"weigh {number}").status == ("extendable" if unit else "incomplete")
-        assert engine.parse("weigh two kilos").slots == {"mass": 2000}
-        assert engine.parse(f"count {number}").actions
-        sampler = Sampler(engine.grammar)
-        said = [sampler.draw(RandomChoices(seed), "weigh").text for seed in range(40)]
-        assert [text for text in said if not engine.parse(text).actions] == []
+    engine = written(grammar.format(more=more, unit=unit))
+    assert bool(engine.parse(f"weigh {number}").actions) == bool(unit)
+    assert engine.prefix(f"weigh {number}").status == ("extendable" if unit else "incomplete")
+    assert engine.parse("weigh two kilos").slots == {"mass": 2000}
+    assert engine.parse(f"count {number}").actions
+    sampler = Sampler(engine.grammar)
+    said = [sampler.draw(RandomChoices(seed), "weigh").text for seed in range(40)]
+    assert [text for text in said if not engine.parse(text).actions] == []
