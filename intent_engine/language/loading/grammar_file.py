@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +32,7 @@ from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, nea
 from intent_engine.language.normalize import words_of
 from intent_engine.language.templates.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.templates.template_tree import Node
+from intent_engine.language.wording import Wording
 from intent_engine.language.words.as_written import as_written, texts_in
 from intent_engine.language_tag import language_of
 
@@ -178,6 +179,17 @@ def _language(source: YamlSource) -> str:
     return language_of(language) if isinstance(language, str) and ("language",) not in source.broken else "en"
 
 
+def _said_in(language: str, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+    """Plain phrases as normalised words, in every form in which they are said."""
+    return with_contractions(map(words_of, phrases), language)
+
+
+@cache
+def _usual_wording(language: str) -> Wording:
+    """How commands are put, which no grammar changes: made once for all of a language."""
+    return default_wording(language, partial(_said_in, language))
+
+
 class _Builder:
     """Gathers the files of one language."""
 
@@ -282,7 +294,7 @@ class _Builder:
             around=self._beside_numbers(default_around(self.language)),
             counting=self._beside_numbers(default_counting(self.language)),
             counted=self._beside_numbers(default_counted(self.language)),
-            wording=default_wording(self.language, self._said),
+            wording=_usual_wording(self.language),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,
@@ -309,8 +321,7 @@ class _Builder:
         ), problems
 
     def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
-        """Plain phrases as normalised words, in every form in which they are said."""
-        return with_contractions(map(words_of, phrases), self.language)
+        return _said_in(self.language, phrases)
 
     def _beside_numbers(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
         """What says nothing beside a number, whatever a file has for fillers: none where it wants none at all. A filler
