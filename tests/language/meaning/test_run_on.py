@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from shipped import shipped
+from meanings import shipped
 
 from intent_engine.actions import Pick, Place
 
