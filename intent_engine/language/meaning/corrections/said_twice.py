@@ -40,8 +40,8 @@ class SaidTwice:
         """The command behind words that were begun and left. None: there are none.
 
         They were begun without its verb, and all of them are said again in it: "the boxes, uh, take the boxes to the
-        hall". Or they begin with its verb, are the beginning of a command and none yet, and name nothing else: "go for go
-        forward six feet".
+        hall". Or they begin with its verb, are the beginning of a command and none yet, and name nothing else: "go for
+        go forward six feet".
         """
         verbs = self._commands.verbs
         if core.words[0] in verbs:
@@ -66,7 +66,11 @@ class SaidTwice:
             return None
         strict = self._commands.matcher.strict
         _, begun = strict.walk(left)
-        return rest if begun is not None and not strict.accepting(begun) else None
+        if begun is None:
+            return None
+        # "Turn right *uh* turn right seventy five" is one, and without the "uh" it may be two.
+        more = core.breaks[again[0]] is None and len(rest) > len(left) and rest.words[: len(left)] == left
+        return rest if more or not strict.accepting(begun) else None
 
     def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
         """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands
