@@ -27,6 +27,7 @@ _ANNOTATION = re.compile(
 _ENUMERATION = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
 _STUTTER = re.compile(r"\b[^aio\d] ", re.IGNORECASE)
 """A letter by itself, which may be a sound said twice,"""
+_DASH_BEHIND = re.compile(r"[-‐‑]\s")
 _SAID_TWICE = re.compile(r"\b([^\W\d_aio])\W+\1", re.IGNORECASE)
 """if a word that begins with it follows."""
 
@@ -78,7 +79,7 @@ class Utterance:
             if word.endswith(UNCLEAR):
                 unclear = unclear or word.removesuffix(UNCLEAR)
                 words[place] = re.sub("[^0-9-]", "", word)
-        sounds = [place for place in range(len(words)) if _stutter(tokens, place)]
+        sounds = [place for place in range(len(words)) if _stutter(tokens, place) or _broken_off(text, tokens, place)]
         if letters:  # no name goes on with an article: "t the cup"
             sounds = [place for place in sounds if words[place + 1] in any_articles()]
         kept = [place for place in range(len(words)) if place not in sounds]
@@ -195,6 +196,16 @@ def _stutter(tokens: Sequence[Token], place: int) -> bool:
         return False
     after = tokens[place + 1].word
     return len(after) > 2 and after.startswith(word)
+
+
+def _broken_off(text: str, tokens: Sequence[Token], place: int) -> bool:
+    """ "turn le- turn left", "le- left": a word that was not said to its end, as transcripts have it, where the speaker
+    begins again with it or with the word before it. "Pre- and post-" is none, and neither is a number."""
+    word, _, end, _ = tokens[place]
+    if not _DASH_BEHIND.match(text, end) or place + 1 >= len(tokens) or not word.isalpha() or word in NUMBER_WORDS:
+        return False
+    after = tokens[place + 1].word
+    return (after.startswith(word) and after != word) or (place > 0 and after == tokens[place - 1].word)
 
 
 def plain(text: str) -> list[str]:

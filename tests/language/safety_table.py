@@ -476,6 +476,8 @@ UNFINISHED = {
     "get over it": NOTHING,
     "grab at the cup": NOTHING,
     "place an order for pizza": NOTHING,
+    "find me a pizza place that delivers": NOTHING,
+    "bring me a hair drop that shines": NOTHING,
     "the left two": NOTHING,
     "go left one": NOTHING,
     "the right": NOTHING,

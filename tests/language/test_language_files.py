@@ -88,6 +88,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     "things": {
         "qualities": "de en",  # elsewhere they stand behind the noun
         "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",
+        "relating": "en",
         "of_several": "de",  # elsewhere their ends tell
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.

@@ -9,7 +9,7 @@ from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.networks.network import NAMED
 from intent_engine.language.networks.word_state import Trace
-from intent_engine.language.numbers.english_words import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import DIGITS, NUMBER_WORDS, ZERO
 from intent_engine.language.slots.adjacent_numbers import is_number
 
 __all__ = ["LEADING", "NUMBERS_BY_SOUND", "loses_a_number", "means_nothing"]
@@ -35,7 +35,10 @@ def means_nothing(trace: Trace, words: Sequence[str], language: str) -> bool:
         language: of the words.
     """
     return (
-        _cut_off(trace, words) or _leads_to_a_number(trace, words, language) or _names_no_number(trace, words, language)
+        _cut_off(trace, words)
+        or _leads_to_a_number(trace, words, language)
+        or _drops_a_digit(trace, words)
+        or _names_no_number(trace, words, language)
     )
 
 
@@ -86,6 +89,23 @@ def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> boo
         and is_number(words[position], language)
         for position, mark in trace
     )
+
+
+def _drops_a_digit(trace: Trace, words: Sequence[str]) -> bool:
+    """Whether the first of two digits is taken for a word that leads to the other: who says "turn left *four* five
+    degrees" means 45, and not "for five degrees"."""
+    return any(
+        mark[0] == "alike"
+        and mark[1] not in NUMBER_WORDS
+        and _is_digit(words[position - 1])
+        and position < len(words)
+        and _is_digit(words[position])
+        for position, mark in trace
+    )
+
+
+def _is_digit(word: str) -> bool:
+    return word in DIGITS or word in ZERO or (len(word) == 1 and word.isdecimal())
 
 
 def _names_no_number(trace: Trace, words: Sequence[str], language: str) -> bool:

@@ -91,11 +91,11 @@ def _operators(grammar: Grammar, places: Places) -> Iterator[Problem]:
         "says no": PhraseSet(grammar.operators.negation),
         "stops the robot": PhraseSet(grammar.operators.stop),
     }
-    for index, words in enumerate(grammar.fillers):
+    for place, text in places.texts("fillers"):
         for what, phrases in turning.items():
-            if phrases.find(words) is not None:
-                message = f"the filler {' '.join(words)!r} {what}; without it a sentence would mean something else"
-                yield places.problem(("fillers", index), message, "remove it from the fillers")
+            if phrases.find(words_of(text)) is not None:
+                message = f"the filler {text!r} {what}; without it a sentence would mean something else"
+                yield problem_at(place, message, "remove it from the fillers")
     for intent in grammar.intents.values():
         for state in sorted(intent.requires & intent.excludes):
             message = f"intent {intent.name!r} requires and excludes {state!r}; it could never be done"

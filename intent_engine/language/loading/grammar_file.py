@@ -21,6 +21,7 @@ from intent_engine.language.loading.language_words import (
     default_around,
     default_counted,
     default_counting,
+    default_denying,
     default_fillers,
     default_heard,
     default_operators,
@@ -290,7 +291,7 @@ class _Builder:
         }
         grammar = Grammar(
             language=self.language,
-            fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
+            fillers=self._said(self._fillers()),
             around=self._beside_numbers(default_around(self.language)),
             counting=self._beside_numbers(default_counting(self.language)),
             counted=self._beside_numbers(default_counted(self.language)),
@@ -319,6 +320,13 @@ class _Builder:
             homophones=own_homophones(grammar),
             warnings=tuple(warnings),
         ), problems
+
+    def _fillers(self) -> tuple[str, ...]:
+        """What says nothing, wherever it stands: a file's own, or those of the language; none where it wants none."""
+        if self.fillers == []:
+            return ()
+        own = default_fillers(self.language) if self.fillers is None else self.fillers
+        return (*own, *default_denying(self.language))
 
     def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
         return _said_in(self.language, phrases)

@@ -104,6 +104,16 @@ class Places:
             path = path[:-1]
         return None
 
+    def texts(self, section: str) -> Iterator[tuple[Place, str]]:
+        """The texts of a list, as every file has them, with where each stands."""
+        for source in self._sources:
+            rows = source.data.get(section)
+            if isinstance(rows, str):
+                yield source.place((section,)), rows
+            for index, text in enumerate(rows if isinstance(rows, list) else ()):
+                if isinstance(text, str):
+                    yield source.place((section, index)), text
+
     def problem(
         self, path: YamlPath, message: str, hint: str | None = None, *, key: bool = False, line: int = 0
     ) -> Problem:

@@ -20,6 +20,7 @@ __all__ = [
     "default_booleans",
     "default_counted",
     "default_counting",
+    "default_denying",
     "default_fillers",
     "default_heard",
     "default_operators",
@@ -39,7 +40,7 @@ _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
 _BY_WORD = ("particles", "idle_particles", "sizes", "levels", "taken_up", "permits", "pleads", "puts")
 """Those of it in which each word has others, in any order."""
 _OTHERS = (
-    "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
+    "filler", "filler_denying", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
     "said_for_true", "said_for_false",
 )  # fmt: skip
 KEYS: Keys = dict.fromkeys((*sorted(_OPERATORS), *_WORDING.values(), *_OTHERS))
@@ -86,6 +87,11 @@ def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
 def default_fillers(language: str) -> tuple[str, ...]:
     """What people put around any sentence ("please"), for grammars that say nothing of fillers."""
     return _words(language).get("filler", ())
+
+
+def default_denying(language: str) -> tuple[str, ...]:
+    """Those that say no and deny nothing ("if you don't mind"), for all grammars that have any fillers."""
+    return _words(language).get("filler_denying", ())
 
 
 def default_around(language: str) -> tuple[str, ...]:

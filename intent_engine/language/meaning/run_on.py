@@ -20,7 +20,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.thing_words import any_articles
+from intent_engine.language.words.thing_words import any_articles, thing_words
 
 __all__ = ["RunOns"]
 
@@ -36,6 +36,7 @@ class RunOns:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         self._phrases = phrases
         self._commands = commands
+        self._relating = thing_words(commands.matcher.grammar.language).relating
 
     @step(Kind.RUN_ON)
     def split(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
@@ -89,7 +90,16 @@ class RunOns:
             return False
         if start > 0 and not self._commands.opens_with_a_verb(reading):  # "turn left, two meters ahead"
             return False
-        return all(self._is_thing(slot, reading) for slot in reading.slots if slot.slot.type in FREE_KINDS)
+        named = [slot for slot in reading.slots if slot.slot.type in FREE_KINDS]
+        if start > 0 and any(self._may_tell_more(slot, reading) for slot in named):
+            return False
+        return all(self._is_thing(slot, reading) for slot in named)
+
+    def _may_tell_more(self, slot: SlotReading, reading: Reading) -> bool:
+        """Whether what stands behind a verb may tell more of the thing before it, of which that is a part: "find a
+        pizza place *that delivers*". "Put that cup down" has a thing that the slot knows."""
+        first, *rest = reading.words[slot.start : slot.end]
+        return first in self._relating and not slot.slot.known.issuperset(rest)
 
     def _is_thing(self, slot: SlotReading, reading: Reading) -> bool:
         """Whether free words are plainly a name: few, and none of them could begin a command."""

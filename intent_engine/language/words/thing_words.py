@@ -29,6 +29,8 @@ class ThingWords:
     """Those of them that are a part of a title or a message: "play *my* way"."""
     of_several: frozenset[str] = frozenset()
     """Those of them before more than one thing, in a language whose names end in too many ways to tell: "die"."""
+    relating: frozenset[str] = frozenset()
+    """Those of them that may also begin what is told of a thing: "a place *that* delivers"."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

@@ -7,7 +7,7 @@ import math
 import pytest
 from meanings import shipped
 
-from intent_engine.actions import Move
+from intent_engine.actions import Move, Turn
 
 
 @pytest.mark.parametrize(
@@ -27,6 +27,26 @@ def test_a_number_by_its_sound_is_as_sure_where_its_unit_follows(heard: str, met
 )
 def test_what_only_leads_to_a_number_is_none(heard: str) -> None:
     assert shipped().parse(heard).actions == ()
+
+
+@pytest.mark.parametrize(
+    "heard",
+    [
+        "turn left four five degrees",
+        "turn left 4 5 degrees",
+        "move four five meters",
+        "turn left four five",
+        "turn two five degrees to the right",
+    ],
+)
+def test_the_first_of_two_digits_is_no_word_that_leads_to_the_other(heard: str) -> None:
+    assert not shipped().parse(heard).actions
+
+
+def test_a_digit_before_a_larger_number_may_be_such_a_word() -> None:
+    (action,) = shipped().parse("turn right four 20 degrees").actions
+    assert isinstance(action, Turn)
+    assert math.degrees(action.angle) == pytest.approx(-20)
 
 
 def test_a_last_word_is_no_number_where_the_sentence_may_have_broken_off(engine_of) -> None:

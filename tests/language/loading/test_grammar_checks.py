@@ -248,3 +248,14 @@ def test_a_regex_is_linear_whatever_its_form():
     engine = IntentEngine.from_files("grammar.yaml")
     assert engine.parse("wave " + "a" * 1900).actions == ()
     assert engine.parse("wave aaab").actions
+
+
+@pytest.mark.parametrize("fillers", ["\n  - you are\n  - would you\n  - do not\n", " do not\n"])
+def test_a_filler_that_denies_is_named_as_it_is_written_and_where(fillers: str) -> None:
+    """Fillers are known shortened as well ("you're"), which moves none of them."""
+    text = f"fillers:{fillers}intents:\n  wave: {{action: custom, sentences: [wave]}}\n"
+    with pytest.raises(ConfigError) as caught:
+        load(text)
+    (problem,) = caught.value.problems
+    assert problem.message.startswith("the filler 'do not' says no")
+    assert text.splitlines()[(problem.line or 0) - 1].strip(" -").endswith("do not")

@@ -17,6 +17,7 @@ from intent_engine.language.loading.language_words import (
     default_booleans,
     default_counted,
     default_counting,
+    default_denying,
     default_fillers,
     default_heard,
     default_operators,
@@ -37,7 +38,7 @@ def test_every_word_of_a_file_is_of_use(file: Path) -> None:
     language = file.stem
     used = {word for words in default_operators(language).values() for word in words}
     used.update(default_fillers(language), default_around(language), default_counting(language))
-    used.update(default_counted(language), default_another(language))
+    used.update(default_counted(language), default_another(language), default_denying(language))
     used.update(map("/".join, default_opposites(language)))
     used.update(word for words in (default_booleans(language) or {}).values() for word in words)
     used.update(default_heard(language).meant, default_heard(language).maybe_numbers)
@@ -53,5 +54,5 @@ def test_a_language_that_has_no_file() -> None:
     assert default_opposites("nl") == ()
     assert default_booleans("nl") is None
     assert default_another("nl") == {} == default_heard("nl").meant
-    assert default_fillers("nl") == default_around("nl") == ()
+    assert default_fillers("nl") == default_denying("nl") == default_around("nl") == ()
     assert not any(astuple(default_wording("nl", as_they_are)))

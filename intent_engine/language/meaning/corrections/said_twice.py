@@ -29,6 +29,7 @@ class SaidTwice:
         things = thing_words(commands.matcher.grammar.language)
         self._leading = things.articles | things.unfinished | things.joining | things.alone
         """Words after which a name or the like goes on."""
+        self._saying_nothing = things.articles | things.unfinished | LEADING
 
     def once(self, core: Utterance) -> Utterance | None:
         """An utterance with what was said twice in it said once; None: there is nothing, or hardly anything is left."""
@@ -36,9 +37,15 @@ class SaidTwice:
         return once if once is not None and len(once) >= LEAST_WORDS else None
 
     def begun_anew(self, core: Utterance) -> Utterance | None:
-        """The command behind words that were begun without its verb and left, where all of them are said again in it:
-        "the boxes, uh, take the boxes to the hall". None: there are none."""
+        """The command behind words that were begun and left. None: there are none.
+
+        They were begun without its verb, and all of them are said again in it: "the boxes, uh, take the boxes to the
+        hall". Or they begin with its verb, are the beginning of a command and none yet, and name nothing else: "go for
+        go forward six feet".
+        """
         verbs = self._commands.verbs
+        if core.words[0] in verbs:
+            return self._begun_with_the_verb(core)
         for place in range(1, min(len(core), MOST_BEGUN + 1)):
             left, rest = core.words[:place], core.part(place, len(core))
             if not verbs.isdisjoint(left) or self._phrases.operate_in(left):
@@ -47,6 +54,23 @@ class SaidTwice:
                 again = any(rest.words[at : at + place] == left for at in range(1, len(rest)))
                 return rest if again else None
         return None
+
+    def _begun_with_the_verb(self, core: Utterance) -> Utterance | None:
+        again = [place for place in range(1, len(core)) if core.words[place] == core.words[0]]
+        if len(again) != 1 or again[0] > MOST_BEGUN:
+            return None
+        left, rest = core.words[: again[0]], core.part(again[0], len(core))
+        # "Put the cup put the plate on the table" leaves out a cup, and "turn off turn on the lights" a command.
+        named = set(left) - self._saying_nothing - set(rest.words)
+        if named or self._phrases.operate_in(left) or any(map(self._commands.matcher.is_number, left)):
+            return None
+        strict = self._commands.matcher.strict
+        _, begun = strict.walk(left)
+        if begun is None:
+            return None
+        # "Turn right *uh* turn right seventy five" is one, and without the "uh" it may be two.
+        more = core.breaks[again[0]] is None and len(rest) > len(left) and rest.words[: len(left)] == left
+        return rest if more or not strict.accepting(begun) else None
 
     def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
         """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands

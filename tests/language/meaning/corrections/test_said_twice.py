@@ -42,6 +42,9 @@ def engine(engine_of) -> IntentEngine:
         ("park in bay in bay seven", "park in bay seven"),
         ("park in bay bay seven and turn on the the lights", "park in bay seven and turn on the lights"),
         ("lift the lift the fork to half a meter", "lift the fork to half a meter"),
+        ("turn the turn on the lights", "turn on the lights"),
+        ("park in park in bay seven", "park in bay seven"),
+        ("park uh park in bay seven", "park in bay seven"),
     ],
 )
 def test_who_hesitates_means_it_once(engine: IntentEngine, said: str, meant: str) -> None:
@@ -53,6 +56,12 @@ def test_who_hesitates_means_it_once(engine: IntentEngine, said: str, meant: str
     [
         "park in bay seven seven",
         "ring ring",
+        "turn off turn on the lights",
+        "turn on the lights in the turn off the lights",
+        "don't turn the turn on the lights",
+        "park in bay seven in the park in bay eight",
+        "lift the fork to lift the fork",
+        "park park in bay seven and park",
         "ring park ring park",
         "lift the fork to to thirty centimeters",
         "don't don't turn on the lights",
