@@ -145,14 +145,20 @@ class Wording:
     """How somebody begins to tell why something is to be done: "*it is* dark, turn the lamp on","""
     tells_of: tuple[tuple[str, ...], ...] = ()
     """how he does of others than "it": "*I am* tired","""
+    tells_of_whom: frozenset[str] = frozenset()
+    """of somebody, with such a verb behind: "*they* look hungry","""
     tells_of_a: frozenset[str] = frozenset()
     """what may stand before a thing of which he tells: "*my* feet are cold","""
     tells_how: frozenset[str] = frozenset()
     """and the verb behind it: "my feet *are* cold"."""
+    somewhat: tuple[tuple[str, ...], ...] = ()
+    """What may stand before how something is, and names no thing: "it's *a bit* cold"."""
     tells_a_tale: frozenset[str] = frozenset()
     """Words with which the same tells no reason: "he is *saying* turn left"."""
     why: tuple[tuple[str, ...], ...] = ()
     """What says before such a telling that it is a reason: "*because* it's dark","""
+    thinks: tuple[tuple[str, ...], ...] = ()
+    """what says there that somebody thinks so: "*I think* it's dark","""
     why_of: tuple[tuple[str, ...], ...] = ()
     """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
     why_to: tuple[tuple[str, ...], ...] = ()

@@ -112,9 +112,8 @@ def test_numbers_side_by_side_are_said_and_may_be_one(tmp_path):
     report = check(tmp_path, text)
     assert found(report) == [("note", "slot", 4), ("note", "slot", 5)]
     told = report.findings[0].problem
-    assert told.column and told.message == (
-        "{hive} and {syrup} are numbers side by side: what could be one number is refused"
-    )
+    assert told.column
+    assert told.message == ("{hive} and {syrup} are numbers side by side: what could be one number is refused")
     assert told.hint == "put a word between them: {hive} with {syrup}"
     engine = IntentEngine.from_files(tmp_path / "g.yaml")
     assert engine.parse("feed hive eight two liters").actions

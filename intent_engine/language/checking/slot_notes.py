@@ -24,7 +24,7 @@ MESSAGE_WORDS = 6
 
 
 def slot_notes(grammar: Grammar) -> Iterator[Problem]:
-    """Percentages of more than the whole, messages that hold no words that turn a sentence, and numbers side by side."""
+    """Percentages of more than the whole, messages without words that turn a sentence, and numbers side by side."""
     ends = _always_last(grammar)
     for slot in grammar.slots.values():
         if slot.type == "percent" and slot.maximum is None:

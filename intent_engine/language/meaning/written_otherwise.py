@@ -141,7 +141,13 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, readings_of(written), language):
                     written = None
-        further = (self._done_to_itself, self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
+        further = (
+            self._told_of,
+            self._done_to_itself,
+            self._with_its_verb_again,
+            self._without_ways_on,
+            self._counted_otherwise,
+        )
         for rule in (*further, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
@@ -163,7 +169,7 @@ class WrittenOtherwise:
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
-        yield from self._reasons.without(core, self._commands.verbs)
+        yield from self._reasons.without(core, self._commands.verbs, text)
         yield self._behind.but_for_besides(core)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
@@ -323,6 +329,12 @@ class WrittenOtherwise:
         found = next(filter(None, ways), None)
         return None if any(reading.free_words for reading in readings_of(found)) else found
 
+    def _told_of(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "The lamp is off, turn it on" of a grammar that has "turn the lamp on"."""
+        ways = self._reasons.of_what_is_meant(core, self._commands.verbs)
+        found = next(filter(None, (self._understood_as(text, core, way, state) for way in ways)), None)
+        return None if any(reading.free_words for reading in readings_of(found)) else found
+
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
         found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
@@ -344,6 +356,8 @@ class WrittenOtherwise:
         def as_said(other: Utterance) -> Understood | None:
             return self._understood_as(text, core, other, state)
 
+        if self._reasons.tells_of_a_name(core, self._commands.verbs):
+            return None
         rules = (self._named, self._persons, self._nouns)
         return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
