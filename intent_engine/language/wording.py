@@ -186,6 +186,12 @@ class Wording:
     the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    others: tuple[tuple[str, ...], ...] = ()
+    """Others, for whom something may be done that a grammar knows: "fold the towels for *them*","""
+    other_people: frozenset[str] = frozenset()
+    """the same with an article: "for the *kids*","""
+    seeks: frozenset[str] = frozenset()
+    """and verbs behind which they are what is looked for: "*search* the tank for them"."""
     for_whom_before: frozenset[str] = frozenset()
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
     softens: tuple[tuple[str, ...], ...] = ()

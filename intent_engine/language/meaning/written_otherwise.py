@@ -141,14 +141,8 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, readings_of(written), language):
                     written = None
-        further = (
-            self._told_of,
-            self._done_to_itself,
-            self._with_its_verb_again,
-            self._without_ways_on,
-            self._counted_otherwise,
-        )
-        for rule in (*further, self._for_each, self._named_again):
+        rules = (self._of_listed_things, self._done_to_itself, self._with_its_verb_again, self._without_ways_on)
+        for rule in (*rules, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         if written is None:
@@ -216,8 +210,7 @@ class WrittenOtherwise:
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
-        das Licht an". What asks for it are fillers
-        of several words; a question without a verb that requests asks whether."""
+        das Licht an". What asks are fillers of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
         said = self._said(text)
         if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
@@ -329,9 +322,9 @@ class WrittenOtherwise:
         found = next(filter(None, ways), None)
         return None if any(reading.free_words for reading in readings_of(found)) else found
 
-    def _told_of(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "The lamp is off, turn it on" of a grammar that has "turn the lamp on"."""
-        ways = self._reasons.of_what_is_meant(core, self._commands.verbs)
+    def _of_listed_things(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "The lamp is off, turn it on" and "fold the towels for the kids", of things that a grammar knows."""
+        ways = (self._behind.for_others(core), self._reasons.of_what_is_meant(core, self._commands.verbs))
         found = next(filter(None, (self._understood_as(text, core, way, state) for way in ways)), None)
         return None if any(reading.free_words for reading in readings_of(found)) else found
 
@@ -343,22 +336,17 @@ class WrittenOtherwise:
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
         "turn the lamp on"."""
-        for other in self._ways_on.without(core):
-            found = self._understood_as(text, core, other, state)
-            if found is not None:
-                return found if self._ways_on.means(core, readings_of(found)) else None
-        return None
+        ways = (self._understood_as(text, core, other, state) for other in self._ways_on.without(core))
+        found = next(filter(None, ways), None)
+        return found if found is not None and self._ways_on.means(core, readings_of(found)) else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
         "close the first valve and open the second"."""
-
-        def as_said(other: Utterance) -> Understood | None:
-            return self._understood_as(text, core, other, state)
-
         if self._reasons.tells_of_a_name(core, self._commands.verbs):
             return None
         rules = (self._named, self._persons, self._nouns)
+        as_said = partial(self._understood_as, text, core, state=state)
         return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
     def named_before(

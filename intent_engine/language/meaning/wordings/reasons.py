@@ -76,29 +76,28 @@ class Reasons:
             if self._is_reason(self._in_full(told, text), command.words, verbs):
                 yield command
 
-    def of_what_is_meant(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
+    def of_what_is_meant(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """A command behind a reason with what that is told of in the place of its pronoun: "turn the lamp on" of "the
-        lamp is off, turn it on". Where another thing is named before the pronoun, that may be meant as well; and so it
-        may be where the reason is told behind ("turn it down, the fan is loud")."""
+        lamp is off, turn it on"; None: there is none. Where another thing is named before the pronoun, that may be
+        meant as well; and so it may be where the reason is told behind ("turn it down, the fan is loud")."""
         at = next((at for at in range(1, len(core)) if core.breaks[at]), 0)
         if not at or self._pronouns.find(core.words, at) is None or core.words[at] not in verbs:
-            return
+            return None
         told, command = core.words[:at], core.part(at, len(core))
         begin = self._thinks.at(told, 0)
         how = self._behind_a_thing(told, begin, verbs)
         start, length = self._pronouns.find(command.words) or (0, 0)
         if not how or not self._tells_no_more(told[how:], verbs) or self._turns(told):
-            return
-        if self._pronouns.find(command.words, start + length) is not None or self._joins_or_names(
-            command.part(0, start)
-        ):
-            return
+            return None
+        again = self._pronouns.find(command.words, start + length) is not None
+        if again or self._joins_or_names(command.words[:start]):
+            return None
         thing, several = told[begin : how - 1], not self._several.isdisjoint(command.words[start : start + length])
         if several == told[how - 1].endswith("s") or self._names_another(self._not_opposed(told[how:]), command.words):
-            return
+            return None
         if any(word in command.words and any(opposed(word, self._language)) for word in told[how:]):
-            return  # "the door is open, open it"
-        yield command.with_other(start, start + length, Utterance.in_one_breath(thing))
+            return None  # "the door is open, open it"
+        return command.with_other(start, start + length, Utterance.in_one_breath(thing))
 
     def tells_of_a_name(self, core: Utterance, verbs: Collection[str]) -> bool:
         """Whether it begins with a reason that names something, for which a later pronoun may stand as well: "the
@@ -111,8 +110,8 @@ class Reasons:
         """What something is, but for states of which there are two: "off"."""
         return [word for word in rest if not any(opposed(word, self._language))]
 
-    def _joins_or_names(self, words: Utterance) -> bool:
-        return self._phrases.sequence.find(words.words) is not None or not self._names.isdisjoint(words.words)
+    def _joins_or_names(self, words: Sequence[str]) -> bool:
+        return self._phrases.sequence.find(words) is not None or not self._names.isdisjoint(words)
 
     def _in_full(self, told: Sequence[str], text: str) -> list[str]:
         """The words, those that are short for two as these: "its" as "it is"."""
