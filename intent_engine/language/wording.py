@@ -85,6 +85,8 @@ class Wording:
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
+    there: tuple[tuple[str, ...], ...] = ()
+    """What points to the place that the command before names, with its last word: "from *there*"."""
     of_persons: frozenset[str] = frozenset()
     """Pronouns for somebody who was named before, in the same utterance: "focus on the actor and follow *him*"."""
     denying: frozenset[str] = frozenset()

@@ -28,6 +28,7 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.places_there import PlacesThere
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
@@ -98,6 +99,7 @@ class WrittenOtherwise:
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
+        self._there = PlacesThere(self._matcher.grammar, phrases.sequence)
         self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
@@ -345,7 +347,7 @@ class WrittenOtherwise:
         "close the first valve and open the second"."""
         if self._reasons.tells_of_a_name(core, self._commands.verbs):
             return None
-        rules = (self._named, self._persons, self._nouns)
+        rules = (self._named, self._persons, self._nouns, self._there)
         as_said = partial(self._understood_as, text, core, state=state)
         return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 

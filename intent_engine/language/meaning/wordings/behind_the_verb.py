@@ -47,6 +47,7 @@ class BehindTheVerb:
         self._for = wording.lasting
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
+        self._leads = wording.leads | wording.says_when
         self._besides = PhraseSet(wording.besides)
         counting = {words[0] for words in matcher.grammar.counting if len(words) == 1}
         self._shortened = [
@@ -125,11 +126,13 @@ class BehindTheVerb:
         return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
 
     def _ends_so(self, core: Utterance, at: int, phrase: Sequence[str]) -> bool:
-        """Whether a command ends with such a phrase, of which a word within was left out."""
+        """Whether a command, or what is done to what, ends with such a phrase, of which a word within was left out."""
         end = at + len(phrase)
         if not _is_at(core, at, phrase) or None not in core.breaks[at + 1 : end]:
             return False
-        return end == len(core) or bool(core.breaks[end]) or self._phrases.sequence.at(core.words, end) > 0
+        if end == len(core) or core.breaks[end] or self._phrases.sequence.at(core.words, end) > 0:
+            return True
+        return core.words[end] in self._leads  # "spin the towels one more time *at* twelve hundred"
 
     def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where a command may begin, and where its verb stands."""
