@@ -24,6 +24,7 @@ from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
+from intent_engine.language.meaning.wordings.one_of_it import OneOfIt
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
@@ -96,6 +97,7 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
+        self._numbers = (*NUMBERS, OneOfIt(commands).rule)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
@@ -136,9 +138,8 @@ class WrittenOtherwise:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
-            if written is None:
-                written = self._understood_as(text, core, other, state)
-        for otherwise, is_meant in NUMBERS:
+            written = written or self._understood_as(text, core, other, state)
+        for otherwise, is_meant in self._numbers:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, readings_of(written), language):

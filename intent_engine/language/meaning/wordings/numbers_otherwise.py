@@ -10,7 +10,6 @@ from intent_engine.language.slots.counted_of_which import are_of_which, without_
 from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.slots.half_behind import half_before, is_half_of_it
-from intent_engine.language.slots.one_of_it import is_one_of_it, one_of_it
 from intent_engine.language.slots.written_shares import are_shares, shares_in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
@@ -34,6 +33,5 @@ NUMBERS: tuple[tuple[_Otherwise, _IsMeant], ...] = (
     (without_of_which, are_of_which),
     (half_before, is_half_of_it),
     (shares_in_words, are_shares),
-    (one_of_it, is_one_of_it),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""
