@@ -20,6 +20,7 @@ from intent_engine.language.meaning.told import Understood, as_told, free_words_
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.given_to import GivenTo
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
@@ -97,7 +98,7 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
-        self._numbers = (*NUMBERS, OneOfIt(commands).rule)
+        self._numbers = (*NUMBERS, OneOfIt(commands).rule, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
@@ -129,8 +130,7 @@ class WrittenOtherwise:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
         written = written or self._without_softening(text, core, state) or self._taken_up_first(text, core, state)
-        if written is None:
-            written = self._understood_as(text, core, self._particles.placed(core, state), state)
+        written = written or self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
             written = written or self._corrected_before_its_verb(text, core, state)
