@@ -8,9 +8,10 @@ from intent_engine.language.loading.language_words import default_another
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.slots.name_words import singular
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import words_in
+from intent_engine.language.vocabulary import vocabulary, words_in
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["OneOfIt"]
@@ -31,6 +32,9 @@ class OneOfIt:
         articles = {article for meant in default_another(language).values() for article in meant}
         self._articles = frozenset(article for article in articles if not is_number(article, language))
         known = thing_words(language)
+        self._endings = known.plurals
+        own = vocabulary(commands.matcher.grammar)
+        self._ones = {one for word in own for (one,) in singular((word,), known.plurals)}
         self._no_noun = known.joining | known.binding | known.articles | known.alone
         self._commands = commands
         self.rule = (self.told, self.is_meant)
@@ -69,10 +73,15 @@ class OneOfIt:
             if words[at] in self._articles
             and not said.breaks[at + 1]
             and words[at + 1] not in self._no_noun
+            and self._is_one(words[at + 1])
             and not is_number(words[at + 1], language)
             and not is_number(words[at - 1], language)
             and self._may_be_counted(words, at)
         ]
+
+    def _is_one(self, noun: str) -> bool:
+        """Whether a noun is not of several: what sounds like "a buttons" may be eight."""
+        return noun in self._ones or not any(singular((noun,), self._endings))
 
     def _may_be_counted(self, words: Sequence[str], at: int) -> bool:
         """A quick look: whether a command may go on so with a number and what it counts, and not with any word."""
