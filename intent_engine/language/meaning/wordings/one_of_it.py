@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from intent_engine.language.loading.language_words import default_another
+from intent_engine.language.loading.language_words import default_another, default_counting
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -35,7 +35,8 @@ class OneOfIt:
         self._endings = known.plurals
         own = vocabulary(commands.matcher.grammar)
         self._ones = {one for word in own for (one,) in singular((word,), known.plurals)}
-        self._no_noun = known.joining | known.binding | known.articles | known.alone
+        counting = {word for words in default_counting(language) for word in words.split()}  # "a more photo"
+        self._no_noun = known.joining | known.binding | known.articles | known.alone | counting
         self._commands = commands
         self.rule = (self.told, self.is_meant)
         """It as one of those in which numbers are written otherwise."""
