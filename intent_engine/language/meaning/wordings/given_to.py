@@ -19,7 +19,9 @@ __all__ = ["GivenTo"]
 
 _Rule = tuple[Callable[[Utterance, str], Utterance | None], Callable[[Utterance, Sequence[Reading], str], bool]]
 _MOST = 4
-"""Words of whom it is given to."""
+"""Words of whom it is given to,"""
+_MOST_GIVEN = 8
+"""and of what is given."""
 
 
 class GivenTo:
@@ -33,7 +35,8 @@ class GivenTo:
         grammar = commands.matcher.grammar
         self._gives = grammar.wording.gives
         self._to = next(iter(sorted(grammar.wording.ways_to)), "")
-        self._articles = thing_words(grammar.language).articles
+        known = thing_words(grammar.language)
+        self._articles, self._no_names = known.articles, known.alone | known.joining
         places = (words for words, _ in commands.matcher.locations.names()) if commands.matcher.locations else ()
         own = vocabulary(grammar).union(*places)
         self._own = own if self._to in own else frozenset[str]()
@@ -46,7 +49,12 @@ class GivenTo:
         """The utterance with so many words behind its verb moved to its end; None: they are nobody, or it is not clear
         where they end: "give hive twenty four liters"."""
         verb, whom, given = said.words[:1], said.words[1 : 1 + length], said.words[1 + length :]
-        if len(given) < 2 or verb[0] not in self._gives or any(said.breaks[1:]) or self._to in said.words:
+        if (
+            not 2 <= len(given) <= _MOST_GIVEN
+            or verb[0] not in self._gives
+            or any(said.breaks[1:])
+            or self._to in said.words
+        ):
             return None
         if not (given[0] in self._articles or is_number(given[0], language)) or not self._names(whom, language):
             return None
@@ -66,4 +74,6 @@ class GivenTo:
 
     def _names(self, whom: Sequence[str], language: str) -> bool:
         bare = [word for word in whom if word not in self._articles]
+        if not self._no_names.isdisjoint(bare):
+            return False  # "pick up the cup"
         return bool(bare) and all(word in self._own or is_number(word, language) for word in bare)

@@ -18,6 +18,8 @@ __all__ = ["OneOfIt"]
 
 _ONE = "1"
 _ANY_WORD = "qwxz"
+_MOST_WORDS = 20
+"""Words of an utterance that is looked at."""
 
 
 class OneOfIt:
@@ -67,7 +69,7 @@ class OneOfIt:
 
     def _places(self, said: Utterance, language: str) -> list[int]:
         """Where such an article stands behind a verb, in one breath with a noun, and a number may stand."""
-        words = said.words
+        words = said.words if len(said) <= _MOST_WORDS else []
         return [
             at
             for at in range(1, len(words) - 1)
