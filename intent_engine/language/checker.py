@@ -12,7 +12,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.checking.grammar_figures import Size, grammar_size
 from intent_engine.language.checking.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
 from intent_engine.language.checking.slot_notes import slot_notes
-from intent_engine.language.grammar import FREE_KINDS, Grammar, Intent, Place, Sentence, problem_at
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Place, Sentence, problem_at
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.networks.exploration import Exploration, Meeting, explore
@@ -141,6 +141,8 @@ class _Meetings:
     """Sentences (by identity) that are the meaning of some words."""
     _lost: dict[int, tuple[Reading, Meeting]] = field(default_factory=dict)
     """Sentence that was read, though another won: who, and on which words first."""
+    _unclear: set[int] = field(default_factory=set)
+    """Sentences of which an amount was not clear as it was walked, and may be as somebody says it: "7 7"."""
     _told: set[tuple[int, int]] = field(default_factory=set)
 
     _names: dict[str, tuple[str, Reading]] = field(default_factory=dict)
@@ -160,6 +162,7 @@ class _Meetings:
         for meeting in self.walk.meetings:
             readings = [one for one in meeting.readings if not any(slot.status == "unknown" for slot in one.slots)]
             if not readings:
+                self._unclear.update(id(one.sentence) for one in meeting.readings if _only_amounts_unclear(one))
                 continue
             first, *others = readings
             self._won.add(id(first.sentence))
@@ -232,7 +235,7 @@ class _Meetings:
         """Sentences that no words mean."""
         for intent in self.walk.matcher.grammar.intents.values():
             for sentence in intent.all_sentences:
-                if id(sentence) not in self._won:
+                if id(sentence) not in self._won and (id(sentence) in self._lost or id(sentence) not in self._unclear):
                     yield from self._never_one(intent, sentence)
 
     def _never_one(self, intent: Intent, sentence: Sentence) -> Iterator[Finding]:
@@ -256,6 +259,10 @@ class _Meetings:
             else:
                 hint = "a list in it is empty, or no place of the map has the tags that it asks for"
             yield Finding("warning", "unreachable", problem_at(sentence.place, message, hint))
+
+
+def _only_amounts_unclear(reading: Reading) -> bool:
+    return all(slot.slot.type in QUANTITY_KINDS for slot in reading.slots if slot.status == "unknown")
 
 
 def _rank(reading: Reading) -> tuple[int, int, int]:

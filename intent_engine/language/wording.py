@@ -85,6 +85,8 @@ class Wording:
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
+    there: tuple[tuple[str, ...], ...] = ()
+    """What points to the place that the command before names, with its last word: "from *there*"."""
     of_persons: frozenset[str] = frozenset()
     """Pronouns for somebody who was named before, in the same utterance: "focus on the actor and follow *him*"."""
     denying: frozenset[str] = frozenset()
@@ -145,14 +147,20 @@ class Wording:
     """How somebody begins to tell why something is to be done: "*it is* dark, turn the lamp on","""
     tells_of: tuple[tuple[str, ...], ...] = ()
     """how he does of others than "it": "*I am* tired","""
+    tells_of_whom: frozenset[str] = frozenset()
+    """of somebody, with such a verb behind: "*they* look hungry","""
     tells_of_a: frozenset[str] = frozenset()
     """what may stand before a thing of which he tells: "*my* feet are cold","""
     tells_how: frozenset[str] = frozenset()
     """and the verb behind it: "my feet *are* cold"."""
+    somewhat: tuple[tuple[str, ...], ...] = ()
+    """What may stand before how something is, and names no thing: "it's *a bit* cold"."""
     tells_a_tale: frozenset[str] = frozenset()
     """Words with which the same tells no reason: "he is *saying* turn left"."""
     why: tuple[tuple[str, ...], ...] = ()
     """What says before such a telling that it is a reason: "*because* it's dark","""
+    thinks: tuple[tuple[str, ...], ...] = ()
+    """what says there that somebody thinks so: "*I think* it's dark","""
     why_of: tuple[tuple[str, ...], ...] = ()
     """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
     why_to: tuple[tuple[str, ...], ...] = ()
@@ -180,6 +188,12 @@ class Wording:
     the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    others: tuple[tuple[str, ...], ...] = ()
+    """Others, for whom something may be done that a grammar knows: "fold the towels for *them*","""
+    other_people: frozenset[str] = frozenset()
+    """the same with an article: "for the *kids*","""
+    seeks: frozenset[str] = frozenset()
+    """and verbs behind which they are what is looked for: "*search* the tank for them"."""
     for_whom_before: frozenset[str] = frozenset()
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
     softens: tuple[tuple[str, ...], ...] = ()

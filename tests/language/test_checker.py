@@ -101,6 +101,25 @@ def test_a_sentence_that_nobody_can_say(tmp_path):
     assert "tags" in (report.findings[0].problem.hint or "")
 
 
+def test_numbers_side_by_side_are_said_and_may_be_one(tmp_path):
+    slots = "hive: {type: number, whole: true, max: 24}, syrup: {type: number, max: 5}, time: duration"
+    text = (
+        f"language: en\nslots: {{{slots}}}\nintents:\n"
+        "  feed: {action: custom, sentences: ['feed hive {hive} {syrup} liters']}\n"
+        "  smoke: {action: custom, sentences: ['smoke hive {hive} [{time}]']}\n"
+        "  open: {action: custom, sentences: ['open hive {hive} for {time}']}\n"
+    )
+    report = check(tmp_path, text)
+    assert found(report) == [("note", "slot", 4), ("note", "slot", 5)]
+    told = report.findings[0].problem
+    assert told.column
+    assert told.message == ("{hive} and {syrup} are numbers side by side: what could be one number is refused")
+    assert told.hint == "put a word between them: {hive} with {syrup}"
+    engine = IntentEngine.from_files(tmp_path / "g.yaml")
+    assert engine.parse("feed hive eight two liters").actions
+    assert not engine.parse("feed hive twenty four liters").actions
+
+
 def test_a_priority_decides_an_ambiguity(tmp_path):
     text = intents(use=USE, a="'wave [at me]'", b="'(wave|bow) at me'").replace("name: b}", "name: b}, priority: 1")
     assert found(check(tmp_path, text)) == [("note", "overlap", 5)]

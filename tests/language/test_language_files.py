@@ -77,6 +77,8 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "roughly": "en",
+        "there": "en", "others": "en", "other_people": "en", "seeks": "en",
+        "tells_of_whom": "en", "thinks": "en", "somewhat": "en",
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
         "vaguely": "de es fr it", "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",

@@ -68,13 +68,14 @@ intents:
 
 
 @pytest.mark.parametrize("action", ['{type: pick, object: "{thing}"}', '{type: place, object: "{thing}"}', "custom"])
-@pytest.mark.parametrize("said", ["me", "us", "up me", "him", "yourself", "me the cup", "her please"])
+@pytest.mark.parametrize("said", ["me", "us", "up me", "him", "yourself", "her the cup", "her please"])
 def test_no_person_is_a_thing(engine_of, action, said):
     kind = "object" if action == "custom" else "text"
     engine = engine_of(PERSONS.format(type=kind, more="", action=action))
     assert not engine.parse(f"grab {said}").actions
     for thing in ("it", "them", "us flag", "her cup", "doll"):  # "it" was named before
         assert engine.parse(f"grab {thing}").actions, thing
+    assert engine.parse("grab me the cup").actions == engine.parse("grab the cup").actions
 
 
 def test_a_person_may_be_meant_where_no_hand_takes_it(engine_of):

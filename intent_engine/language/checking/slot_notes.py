@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from intent_engine.errors import Problem
-from intent_engine.language.grammar import Grammar, Slot, problem_at
-from intent_engine.language.templates.template_tree import Reference, Sequence, references
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot, problem_at
+from intent_engine.language.templates.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    references,
+)
 
 __all__ = ["slot_notes"]
 
@@ -15,7 +24,7 @@ MESSAGE_WORDS = 6
 
 
 def slot_notes(grammar: Grammar) -> Iterator[Problem]:
-    """Percentages of more than the whole, and messages that hold no words that turn a sentence."""
+    """Percentages of more than the whole, messages without words that turn a sentence, and numbers side by side."""
     ends = _always_last(grammar)
     for slot in grammar.slots.values():
         if slot.type == "percent" and slot.maximum is None:
@@ -27,6 +36,36 @@ def slot_notes(grammar: Grammar) -> Iterator[Problem]:
             message = f"slot {slot.name!r} takes no message with a word like {words}" if words else ""
             if message:
                 yield problem_at(slot.place, message, "with 'dictation: true' it takes all that is said from there on")
+    for intent in grammar.intents.values():
+        for sentence in intent.all_sentences:
+            for one, other in dict.fromkeys(_side_by_side(grammar, sentence.template)):
+                message = f"{{{one}}} and {{{other}}} are numbers side by side: what could be one number is refused"
+                yield problem_at(sentence.place, message, f"put a word between them: {{{one}}} with {{{other}}}")
+
+
+def _side_by_side(grammar: Grammar, node: Node) -> Iterator[tuple[str, str]]:
+    """The labels of a number and of an amount that follows it without a word between them."""
+    match node:
+        case Reference(name) if name in grammar.phrases:
+            yield from _side_by_side(grammar, grammar.phrases[name])
+        case Optional(item):
+            yield from _side_by_side(grammar, item)
+        case Choice(items) | Sequence(items) | AnyOrder(items):
+            for one, other in pairwise(items) if isinstance(node, Sequence) else ():
+                number, amount = _amount(grammar, one), _amount(grammar, other)
+                if number is not None and amount is not None:
+                    slot = grammar.slots[number.name]
+                    if slot.type == "number" and not slot.units and grammar.slots[amount.name].type != "ordinal":
+                        yield number.label, amount.label
+            for item in items:
+                yield from _side_by_side(grammar, item)
+
+
+def _amount(grammar: Grammar, node: Node) -> Reference | None:
+    """A quantity that is said there, and nothing else."""
+    node = node.item if isinstance(node, Optional) else node
+    slot = grammar.slots.get(node.name) if isinstance(node, Reference) and node.name not in grammar.phrases else None
+    return node if isinstance(node, Reference) and slot is not None and slot.type in QUANTITY_KINDS else None
 
 
 def _is_message(slot: Slot) -> bool:

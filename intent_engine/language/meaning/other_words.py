@@ -123,9 +123,9 @@ class OtherWords:
             found = self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
             if found is not None:
                 return found
-        if said.words[0] in verbs or not self._verbs_last:  # "turn the fan on and the fan off"
-            return None
-        return self._one_of(self._verbless.ways(part, verbs), part, state)  # "Licht an und Pumpe aus"
+        if said.words[0] in verbs or (not self._verbs_last and len(part) == len(said)):
+            return None  # "turn the fan on and the fan off", or tried already
+        return self._one_of(self._verbless.ways(part, verbs), part, state)  # "lamp on and pump off"
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""

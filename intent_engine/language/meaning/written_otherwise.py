@@ -20,14 +20,17 @@ from intent_engine.language.meaning.told import Understood, as_told, free_words_
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.given_to import GivenTo
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
+from intent_engine.language.meaning.wordings.one_of_it import OneOfIt
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.places_there import PlacesThere
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
@@ -95,9 +98,11 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
+        self._numbers = (*NUMBERS, OneOfIt(commands).rule, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
+        self._there = PlacesThere(self._matcher.grammar, phrases.sequence)
         self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
@@ -125,8 +130,7 @@ class WrittenOtherwise:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
         written = written or self._without_softening(text, core, state) or self._taken_up_first(text, core, state)
-        if written is None:
-            written = self._understood_as(text, core, self._particles.placed(core, state), state)
+        written = written or self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
             written = written or self._corrected_before_its_verb(text, core, state)
@@ -134,15 +138,14 @@ class WrittenOtherwise:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
-            if written is None:
-                written = self._understood_as(text, core, other, state)
-        for otherwise, is_meant in NUMBERS:
+            written = written or self._understood_as(text, core, other, state)
+        for otherwise, is_meant in self._numbers:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, readings_of(written), language):
                     written = None
-        further = (self._done_to_itself, self._with_its_verb_again, self._without_ways_on, self._counted_otherwise)
-        for rule in (*further, self._for_each, self._named_again):
+        rules = (self._of_listed_things, self._done_to_itself, self._with_its_verb_again, self._without_ways_on)
+        for rule in (*rules, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         if written is None:
@@ -163,7 +166,7 @@ class WrittenOtherwise:
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
         """An utterance with its verbs in other forms in which the same may be told."""
-        yield from self._reasons.without(core, self._commands.verbs)
+        yield from self._reasons.without(core, self._commands.verbs, text)
         yield self._behind.but_for_besides(core)
         yield self._permitted.ordered(core, self._said(text), asks="?" in text)
         if "?" not in text:  # "schalten Sie die Lampe ein?" asks
@@ -210,8 +213,7 @@ class WrittenOtherwise:
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
-        das Licht an". What asks for it are fillers
-        of several words; a question without a verb that requests asks whether."""
+        das Licht an". What asks are fillers of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
         said = self._said(text)
         if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
@@ -323,6 +325,12 @@ class WrittenOtherwise:
         found = next(filter(None, ways), None)
         return None if any(reading.free_words for reading in readings_of(found)) else found
 
+    def _of_listed_things(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "The lamp is off, turn it on" and "fold the towels for the kids", of things that a grammar knows."""
+        ways = (self._behind.for_others(core), self._reasons.of_what_is_meant(core, self._commands.verbs))
+        found = next(filter(None, (self._understood_as(text, core, way, state) for way in ways)), None)
+        return None if any(reading.free_words for reading in readings_of(found)) else found
+
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
         found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
@@ -331,20 +339,17 @@ class WrittenOtherwise:
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
         "turn the lamp on"."""
-        for other in self._ways_on.without(core):
-            found = self._understood_as(text, core, other, state)
-            if found is not None:
-                return found if self._ways_on.means(core, readings_of(found)) else None
-        return None
+        ways = (self._understood_as(text, core, other, state) for other in self._ways_on.without(core))
+        found = next(filter(None, ways), None)
+        return found if found is not None and self._ways_on.means(core, readings_of(found)) else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
         "close the first valve and open the second"."""
-
-        def as_said(other: Utterance) -> Understood | None:
-            return self._understood_as(text, core, other, state)
-
-        rules = (self._named, self._persons, self._nouns)
+        if self._reasons.tells_of_a_name(core, self._commands.verbs):
+            return None
+        rules = (self._named, self._persons, self._nouns, self._there)
+        as_said = partial(self._understood_as, text, core, state=state)
         return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
     def named_before(

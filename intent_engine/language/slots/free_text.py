@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from functools import cached_property, lru_cache
+from collections.abc import Collection, Iterator, Sequence
+from functools import cached_property
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import ACTION_PARAMETERS, FREE_KINDS, Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
-from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.slots.name_words import accented_names
 from intent_engine.language.templates.template_tree import Node, Reference, references
 from intent_engine.language.words.contractions import begins_to_tell, shortened
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -118,7 +118,7 @@ class FreeText:
             wrong = frozenset((said[0],))
         if said and not wrong and self._names_a_thing(slot):
             wrong = self._begins_behind_an_article(said)
-        if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
+        if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, words, start, end):
             wrong = frozenset((said[0],))
         if said and not wrong and self._names_a_thing(slot):
             wrong = self._no_name(slot, said)
@@ -185,12 +185,16 @@ class FreeText:
             for kind in _AMOUNTS
         )
 
-    def _is_no_thing(self, slot: Slot, said: Sequence[str]) -> bool:
+    def _is_no_thing(self, slot: Slot, words: Sequence[str], start: int, end: int) -> bool:
         """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
         ("grab me", "get me the cup", but "the us flag"), only say where ("grab there"), or say nothing ("grab,
-        please")."""
-        if slot.name not in self._taken or _meant(slot, said[0]):
+        please"). In any they are none where a person is given something: "print *me a* gear"."""
+        said, before, wording = words[start:end], words[:start][-1:], self._grammar.wording
+        if _meant(slot, said[0]):
             return False
+        if slot.name not in self._taken:
+            given = said[0] in wording.for_whom and not (slot.dictation or wording.gives.isdisjoint(before))
+            return given and len(said) > 1 and said[1] in self.articles
         if said[0] in self._words.where:
             return len(said) == 1
         if said[0] not in self._words.persons:
@@ -375,7 +379,7 @@ class FreeText:
         words = list(said)
         if slot.dictation:
             return " ".join(words)
-        if accented := _accented(slot.known):
+        if accented := accented_names(slot.known):
             words = [accented.get(word, word) for word in words]
         words = list(self._without_articles(words, self.articles if self.is_thing(slot) else self._bare_articles))
         for place in range(len(words) - 2, -1, -1):
@@ -392,9 +396,3 @@ def _meant(slot: Slot, word: str) -> bool:
 def _is_code(words: Sequence[str]) -> bool:
     """Whether words begin with a letter that is no article: "a 42"."""
     return len(words[0]) == 1 and is_numeral(words[1])
-
-
-@lru_cache(maxsize=64)
-def _accented(known: frozenset[str]) -> Mapping[str, str]:
-    """Words with accents, by the same without."""
-    return {plain: word for word in sorted(known) if (plain := without_accents(word)) not in known}

@@ -9,16 +9,17 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 
-from intent_engine.language.normalize import words_of
+from intent_engine.language.normalize import without_accents, words_of
 from intent_engine.language.numbers import english_ordinals, english_parts, english_words
 from intent_engine.language.words.homophones import LETTERS_BY_SOUND
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = [
-    "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
-    "singular", "without_article",
+    "OWNERS", "accented_names", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner",
+    "raw_words", "singular", "without_article",
 ]  # fmt: skip
 
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that", "these", "those"))
@@ -211,3 +212,9 @@ def singular(words: tuple[str, ...], endings: Sequence[tuple[str, str]] | None =
         stem = last.removesuffix(ending)
         if (stem != last or not ending) and len(stem) > 1:
             yield (*before, stem + one)
+
+
+@lru_cache(maxsize=64)
+def accented_names(known: frozenset[str]) -> Mapping[str, str]:
+    """Words with accents, by the same without."""
+    return {plain: word for word in sorted(known) if (plain := without_accents(word)) not in known}

@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.loading.language_words import default_another
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -70,6 +71,8 @@ class Plurals:
             before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
             if before and not behind and self._names_several(words, place + 1):
                 continue
+            if place and words[place - 1] in self._of_one and any(singular((word,))):
+                continue  # "a beers" may be eight
             if self._is_strange(word) and (behind or word not in owners):
                 words[place] = next(self._ways(word, counted=behind or before), word)
             elif known and behind and word not in self._first_words():
@@ -122,6 +125,10 @@ class Plurals:
         if counted:
             ways += self._more.get(word, ())
         yield from (one for one in ways if one in own and one not in self._first_words() and len(one) >= LEAST_LETTERS)
+
+    @cached_property
+    def _of_one(self) -> frozenset[str]:
+        return frozenset(one for meant in default_another(self._grammar.language).values() for one in meant)
 
     @cached_property
     def _words(self) -> frozenset[str]:

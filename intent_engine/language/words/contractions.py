@@ -6,9 +6,10 @@ Without their apostrophe, as all words are here. None that denies is among them:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = ["OTHER_WORDS", "PRONOUNS", "apart", "begins_to_tell", "in_full", "shortened", "together"]
+__all__ = ["OTHER_WORDS", "PRONOUNS", "apart", "begins_to_tell", "in_full", "shortened", "shortened_in", "together"]
 
 PRONOUNS = frozenset(
     ("i", "you", "he", "she", "it", "we", "they", "that", "there", "this", "who", "what", "where", "when", "how")
@@ -25,6 +26,7 @@ _ENDINGS: Mapping[str, tuple[str, frozenset[str] | None]] = {
 """What is left of the second word, and the words after which it is so; None: any ("the music's too loud")."""
 OTHER_WORDS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))
 """Other words, which are said as often. With its apostrophe "we'll" is no "well"."""
+_SHORTENED = re.compile(r"\b([a-z]+)['’ʼ`](" + "|".join(ending for ending, _ in _ENDINGS.values()) + r")\b")
 _NOUNS = frozenset(("id", "ill"))
 """Other words that may stand in the name of a thing: "the id card"."""
 
@@ -66,6 +68,14 @@ def shortened(pronouns: Iterable[str]) -> frozenset[str]:
     """What is said for one of these English pronouns and a verb, and for nothing else: "im", "hes", "its"."""
     both = (together(pronoun, verb) for pronoun in PRONOUNS.intersection(pronouns) for verb in _ENDINGS)
     return frozenset(word for word in both if word is not None) - _NOUNS
+
+
+def shortened_in(text: str) -> dict[str, tuple[str, str]]:
+    """The words of an English text that are short for two, and without their apostrophe others: "were" where "we're" is
+    written, with "we" and "are"."""
+    written = {"".join(match.groups()): match for match in _SHORTENED.finditer(text.lower())}
+    endings = {ending: word for word, (ending, _) in _ENDINGS.items()}
+    return {word: (match[1], endings[match[2]]) for word, match in written.items() if word in OTHER_WORDS}
 
 
 def begins_to_tell(word: str) -> bool:

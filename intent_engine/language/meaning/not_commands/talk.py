@@ -19,7 +19,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.contractions import OTHER_WORDS
+from intent_engine.language.words.contractions import OTHER_WORDS, shortened_in
 from intent_engine.language.words.owners import owners
 from intent_engine.language.words.phrase_set import PhraseSet
 
@@ -42,6 +42,7 @@ class Talk:
         self._conditions = Conditions(phrases, grammar)
         self._more_than_now = MoreThanNow(grammar)
         self._besides = PhraseSet(grammar.wording.besides)
+        self._how = grammar.wording.tells_how
         self._commands = commands
         self._ways = frozenset(way for said in grammar.wording.sides for way in said.split("/"))
 
@@ -82,6 +83,7 @@ class Talk:
         if self._language != "en" or not _APOSTROPHE.search(text):
             return ""
         kept = {word for part in parts if part.reading is not None for word in part.reading.words}
+        kept |= {word for word, (_, verb) in shortened_in(text).items() if verb in self._how}  # "we're late, go"
         for token in tokenize(text):
             written = text[token.start : token.end]
             if token.word in OTHER_WORDS - kept and _APOSTROPHE.search(written):

@@ -241,9 +241,8 @@ class SharedVerb:
         listed = " ".join(part.words[one.start : len(part) - (len(words) - one.end)])
         behind = [slot for slot in one.shared if slot.start >= one.end]
         alone = self._commands.exact(list(words[: one.end]), state) if behind else None
-        if any(slot.slot.type not in OF_EACH and not self._is_level(slot, one) for slot in behind) or (
-            alone is not None and alone.accepted
-        ):
+        is_whole = alone is not None and alone.accepted
+        if is_whole or not all(self._is_of_each(slot, one) for slot in behind):
             told = f"{' '.join(words[one.end :])!r} may be meant for each of them, for the last, or for all together"
         elif self._is_one_thing(one):
             told = f"{listed!r} may be of one thing, or of one for each"
@@ -270,6 +269,11 @@ class SharedVerb:
     def _is_no_thing(self, words: Sequence[str]) -> bool:
         """Whether words of a list say which of two is done: "on" and "off", "open" and "close"."""
         return all(opposed(word, self._language) for word in words)
+
+    def _is_of_each(self, slot: SlotReading, said: _Said) -> bool:
+        """Whether what is said behind a list is of each, where none is whole without it: it says how or which, as the
+        number of a thing does ("the weight and the noise of hive 6"), or how much each is to have of something."""
+        return slot.slot.type in OF_EACH or self._lists.is_name(slot, said.reading) or self._is_level(slot, said)
 
     def _is_level(self, slot: SlotReading, said: _Said) -> bool:
         """Whether a number says how much each has of something: "to 20 *degrees*", but not "for 20 minutes"."""

@@ -9,6 +9,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
@@ -18,6 +19,10 @@ _MOST_BETWEEN = 2
 """Words of the verb itself before them: "drehen *Sie sich* dann"."""
 _LEAST_BEHIND = 2
 """Words behind whom something is done for: "fahr mir vor" says where."""
+
+_LEAST_BEFORE = 3
+"""Words of a command with a thing: "fold the towels"."""
+_AN_ARTICLE_AND_A_NOUN = 2
 
 
 class BehindTheVerb:
@@ -35,8 +40,14 @@ class BehindTheVerb:
         self._adverbs = sorted(wording.adverbs, key=len, reverse=True)
         self._for_whom = wording.for_whom
         self._gives = wording.gives
+        self._own = vocabulary(matcher.grammar) if wording.gives else None
+        self._others = PhraseSet(wording.others)
+        self._people, self._articles = wording.other_people, wording.tells_of_a
+        self._leads_to_some = wording.seeks | wording.brings
+        self._for = wording.lasting
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
+        self._leads = wording.leads | wording.says_when
         self._besides = PhraseSet(wording.besides)
         counting = {words[0] for words in matcher.grammar.counting if len(words) == 1}
         self._shortened = [
@@ -73,9 +84,20 @@ class BehindTheVerb:
                 continue
             if self._gives and not (core.words[at - 1] in self._gives and self._begins_thing(core.words[at + 1])):
                 continue
-            if self._matcher.prefix(core.words[verb : at + 1])[1] is None:
+            told_apart = self._own is None or words[0] in self._own
+            if not told_apart or self._matcher.prefix(core.words[verb : at + 1])[1] is None:
                 said = said.cut(at, at + 1)
         return said if said.words != core.words else None
+
+    def for_others(self, core: Utterance) -> Utterance | None:
+        """An utterance without others, with whom it ends, for whom something is done: "fold the towels for the kids".
+        None: it has none, or they may be where something goes, or what is looked for."""
+        at = next((at for at in range(len(core) - 2, _LEAST_BEFORE - 1, -1) if core.words[at] in self._for), 0)
+        words, whom = core.words[:at], core.words[at + 1 :]
+        if not words or any(core.breaks[at:]) or not self._leads_to_some.isdisjoint(words):
+            return None
+        people = len(whom) == _AN_ARTICLE_AND_A_NOUN and whom[0] in self._articles and whom[1] in self._people
+        return core.part(0, at) if people or self._others.at(whom, 0) == len(whom) else None
 
     def _begins_thing(self, word: str) -> bool:
         """Whether a thing begins with a word: its article, how many there are of it, or its name ("show me Saturn")."""
@@ -104,11 +126,13 @@ class BehindTheVerb:
         return core.part(0, len(core) - length) if 0 < length < len(core) and not alike else None
 
     def _ends_so(self, core: Utterance, at: int, phrase: Sequence[str]) -> bool:
-        """Whether a command ends with such a phrase, of which a word within was left out."""
+        """Whether a command, or what is done to what, ends with such a phrase, of which a word within was left out."""
         end = at + len(phrase)
         if not _is_at(core, at, phrase) or None not in core.breaks[at + 1 : end]:
             return False
-        return end == len(core) or bool(core.breaks[end]) or self._phrases.sequence.at(core.words, end) > 0
+        if end == len(core) or core.breaks[end] or self._phrases.sequence.at(core.words, end) > 0:
+            return True
+        return core.words[end] in self._leads  # "spin the towels one more time *at* twelve hundred"
 
     def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
         """Where a command may begin, and where its verb stands."""

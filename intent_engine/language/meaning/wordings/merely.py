@@ -9,6 +9,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.amounts_read import AMOUNTS, Begins, Ends
 from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Merely"]
@@ -40,7 +41,8 @@ class Merely:
             less = core.cut(end, end + behind)
             if behind:
                 yield Rewording(less, Ends(words[at:end]))
-            if (before := self._before.ends(words[:at])) and before < at:
+            before = self._before.ends(words[:at])
+            if 0 < before < at and not is_number(words[at - before - 1], self._language):  # "two, maybe three"
                 told = Utterance(
                     [*words[: at - before], *less.words[at:]], [*breaks[: at - before], False, *less.breaks[at + 1 :]]
                 )

@@ -1,4 +1,5 @@
-"""A thing that is named first, and taken up by a pronoun: "drawer one, unlock it" is "unlock drawer one"."""
+"""A thing that is named first, and taken up by a pronoun: "drawer one, unlock it" is "unlock drawer one",
+and so is "I need drawer one, unlock it"."""
 
 from __future__ import annotations
 
@@ -11,8 +12,8 @@ from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["NamedFirst"]
 
-_MOST = 5
-"""Words of the thing."""
+_MOST = 7
+"""Words of the thing, and of what somebody says who wants it."""
 
 
 class NamedFirst:
@@ -20,6 +21,7 @@ class NamedFirst:
 
     def __init__(self, grammar: Grammar) -> None:
         # Languages in which it agrees with the article have more of it, in "taken_up".
+        self._wishes = PhraseSet(words for words in grammar.wording.wishes_done if len(words) > 1)
         self._pronouns = PhraseSet(() if grammar.wording.taken_up else grammar.operators.pronoun)
 
     def ways(self, said: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
@@ -27,9 +29,14 @@ class NamedFirst:
         pause = next((at for at in range(1, len(said)) if said.breaks[at]), 0)
         if not 0 < pause <= _MOST or any(said.breaks[pause + 1 :]) or said.words[pause] not in verbs:
             return
-        thing, order = said.words[:pause], said.words[pause:]
+        thing, order = said.words[self._wishes.at(said.words, 0) : pause], said.words[pause:]
         found = self._pronouns.find(order, 1)
-        if found is None or any(word in verbs for word in thing) or self._pronouns.at(thing, 0) == len(thing):
+        if (
+            found is None
+            or not thing
+            or any(word in verbs for word in thing)
+            or self._pronouns.at(thing, 0) == len(thing)
+        ):
             return
         at, length = found
         if self._pronouns.find(order, at + length) is None:

@@ -1,4 +1,5 @@
-"""Why something is to be done, told beside it: "turn the lamp on, it's dark", "I'm cold, so shut the window"."""
+"""Why something is to be done, told beside it: "turn the lamp on, it's dark", "I'm cold, so shut the window", "the lamp
+is off, turn it on"."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import listed_words
-from intent_engine.language.words.contractions import apart
+from intent_engine.language.words.contractions import OTHER_WORDS, apart, shortened_in
 from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -33,38 +34,91 @@ class Reasons:
     def __init__(self, matcher: Matcher, phrases: Phrases) -> None:
         grammar, wording = matcher.grammar, matcher.grammar.wording
         self._matcher = matcher
+        self._of_whom = wording.tells_of_whom
         self._tells_of_it = PhraseSet(wording.tells_of_it)
         self._tells_of = PhraseSet(wording.tells_of)
         self._of_a_thing = wording.tells_of_a
         self._how = wording.tells_how
+        self._somewhat = PhraseSet(wording.somewhat)
         self._tale = wording.tells_a_tale
         self._why = PhraseSet(wording.why)
+        self._thinks = PhraseSet(wording.thinks)
         self._why_of = PhraseSet(wording.why_of)
         self._why_to = PhraseSet(wording.why_to)
         self._begun = {words[:2] for words in (*wording.tells_of_it, *wording.tells_of)}
-        self._articles = thing_words(grammar.language).articles
+        known = thing_words(grammar.language)
+        self._articles, self._whither = known.articles, known.whither
+        pronouns = (words for words in grammar.operators.pronoun if self._articles.isdisjoint(words))
+        self._pronouns = PhraseSet(() if wording.taken_up else pronouns)
+        self._several = wording.several
         self._for_a_thing = {words[0] for words in grammar.operators.pronoun if len(words) == 1} - self._articles
         self._phrases = phrases
         self._closed = frozenset(grammar.operators.closed) - self._how  # "weil es dunkel *ist*"
         self._language = grammar.language
 
-    def without(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
-        """What may be the command without its reason, which stands behind it or before it."""
+    def without(self, core: Utterance, verbs: Collection[str], text: str = "") -> Iterator[Utterance]:
+        """What may be the command without its reason, which stands behind it or before it.
+
+        Args:
+            core: the words, without those that say nothing.
+            verbs: with which commands begin.
+            text: as it was written: "we're" is no "were".
+        """
         if not self._tells_of:
             return
         parted = [at for at in range(1, len(core)) if core.breaks[at] is not False or self._says_why(core, at)]
         for at in parted[:1]:
             told, command = core.words[:at], core.part(at, len(core))
-            if self._is_reason(self._in_full(told), command.words, verbs):
+            if self._is_reason(self._in_full(told, text), command.words, verbs):
                 yield command
         for at in parted[-1:]:
             told, command = core.words[at:], core.part(0, at)
-            if self._is_reason(self._in_full(told), command.words, verbs):
+            if self._is_reason(self._in_full(told, text), command.words, verbs):
                 yield command
 
-    def _in_full(self, told: Sequence[str]) -> list[str]:
+    def of_what_is_meant(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """A command behind a reason with what that is told of in the place of its pronoun: "turn the lamp on" of "the
+        lamp is off, turn it on"; None: there is none. Where another thing is named before the pronoun, that may be
+        meant as well; and so it may be where the reason is told behind ("turn it down, the fan is loud")."""
+        at = next((at for at in range(1, len(core)) if core.breaks[at]), 0)
+        if not at or self._pronouns.find(core.words, at) is None or core.words[at] not in verbs:
+            return None
+        told, command = core.words[:at], core.part(at, len(core))
+        begin = self._thinks.at(told, 0)
+        how = self._behind_a_thing(told, begin, verbs)
+        start, length = self._pronouns.find(command.words) or (0, 0)
+        if not how or not self._tells_no_more(told[how:], verbs) or self._turns(told):
+            return None
+        again = self._pronouns.find(command.words, start + length) is not None
+        if again or self._joins_or_names(command.words[:start]):
+            return None
+        thing, several = told[begin : how - 1], not self._several.isdisjoint(command.words[start : start + length])
+        if several == told[how - 1].endswith("s") or self._names_another(self._not_opposed(told[how:]), command.words):
+            return None
+        if any(word in command.words and any(opposed(word, self._language)) for word in told[how:]):
+            return None  # "the door is open, open it"
+        return command.with_other(start, start + length, Utterance.in_one_breath(thing))
+
+    def tells_of_a_name(self, core: Utterance, verbs: Collection[str]) -> bool:
+        """Whether it begins with a reason that names something, for which a later pronoun may stand as well: "the
+        towels are damp, wash the whites and dry them"."""
+        at = next((at for at in range(1, len(core)) if core.breaks[at]), 0)
+        how = self._behind_a_thing(core.words[:at], self._thinks.at(core.words[:at], 0), verbs) if at > 1 else 0
+        return how > 0 and not self._names.isdisjoint(core.words[:how])
+
+    def _not_opposed(self, rest: Sequence[str]) -> list[str]:
+        """What something is, but for states of which there are two: "off"."""
+        return [word for word in rest if not any(opposed(word, self._language))]
+
+    def _joins_or_names(self, words: Sequence[str]) -> bool:
+        return self._phrases.sequence.find(words) is not None or not self._names.isdisjoint(words)
+
+    def _in_full(self, told: Sequence[str], text: str) -> list[str]:
         """The words, those that are short for two as these: "its" as "it is"."""
-        pairs = [next((pair for pair in apart(word) if pair in self._begun), (word,)) for word in told]
+        written = shortened_in(text) if not OTHER_WORDS.isdisjoint(told) else {}
+        pairs = [
+            written.get(word) or next((pair for pair in apart(word) if pair in self._begun), (word,)) for word in told
+        ]
         return [word for pair in pairs for word in pair]
 
     def _says_why(self, core: Utterance, at: int) -> bool:
@@ -72,9 +126,7 @@ class Reasons:
 
     def _is_reason(self, told: Sequence[str], command: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether what is told beside a command says why, and no more."""
-        phrases = self._phrases
-        others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
-        if any(one.find(told) for one in others) or not self._tale.isdisjoint(told):
+        if self._turns(told):
             return False
         if any(other in command for word in told for other in opposed(word, self._language)):
             return False  # "turn left, it's right"
@@ -82,21 +134,36 @@ class Reasons:
         if cause:
             return self._tells_no_more(told[cause:], verbs)
         begin = self._why.at(told, 0)
+        begin += self._thinks.at(told, begin)
         if of_it := self._tells_of_it.at(told, begin):
             rest = told[begin + of_it :]
             return self._tells_no_more(rest, verbs) and not self._names_another(rest, command)
         if of_others := self._tells_of.at(told, begin):
             return self._tells_no_more(told[begin + of_others :], verbs)
+        if not self._of_whom.isdisjoint(told[begin : begin + 1]) and not self._how.isdisjoint(
+            told[begin + 1 : begin + 2]
+        ):
+            rest = told[begin + 2 :]
+            return self._tells_no_more(rest, verbs) and rest[0] not in self._articles
         how = self._behind_a_thing(told, begin, verbs)
         if not how or not self._tells_no_more(told[how:], verbs) or not self._for_a_thing.isdisjoint(command):
             return False
         # "Windows are open" tells of these, but "site is room two" may tell of what was named.
         return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
 
+    def _turns(self, told: Sequence[str]) -> bool:
+        """Whether words deny, take back, join or repeat something."""
+        phrases = self._phrases
+        others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
+        return any(one.find(told) for one in others) or not self._tale.isdisjoint(told)
+
     def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
         """Whether what something is may be a thing, a place or a number in the place of one of a command."""
+        rest = rest[self._somewhat.at(rest, 0) :]
         others = (word for word in rest if word not in command)
-        return rest[0] in self._articles or any(word in self._names or self._matcher.is_number(word) for word in others)
+        return (bool(rest) and rest[0] in self._articles) or any(
+            word in self._names or self._matcher.is_number(word) for word in others
+        )
 
     @cached_property
     def _names(self) -> frozenset[str]:
@@ -114,8 +181,8 @@ class Reasons:
 
     def _tells_no_more(self, words: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether there are words, and they have nothing of a command or of a condition."""
-        if not 0 < len(words) <= _MOST or not self._closed.isdisjoint(words):
-            return False
+        if not 0 < len(words) <= _MOST or not self._closed.isdisjoint(words) or words[-1] in self._whither:
+            return False  # "you have to, uh, turn left"
         return not any(self._commands(words[at:]) for at, word in enumerate(words) if word in verbs)
 
     def _commands(self, words: Sequence[str]) -> bool:

@@ -27,6 +27,7 @@ slots:
   person: [Anna, Ben]
   side: [left, right]
   limb: [hand, foot]
+  gauge: [weight, level, noise]
 intents:
   "on": {action: custom, sentences: ["turn the {device} on", "turn on [the] {device} [in the {room}]"]}
   "off": {action: custom, sentences: ["turn the {device} off", "turn off the {device}"]}
@@ -40,6 +41,7 @@ intents:
   mix: {action: custom, sentences: ["mix {colour} [and {colour:other}]"]}
   stir: {action: custom, sentences: ["stir the {colour} paint"]}
   light: {action: custom, sentences: ["light the {room} for {time}"]}
+  read: {action: custom, sentences: ["read the {gauge} of tank {bin}", "read the {gauge} of {count} liters"]}
   lift: {action: custom, sentences: ["lift your {side} {limb}"]}
   drive: {action: custom, sentences: ["drive to the {room}"]}
   stop: {action: stop, sentences: [stop]}
@@ -115,6 +117,10 @@ SINGLY = {
         ],
         "heat the kitchen and the hall to 20 degrees": [
             "heat the kitchen to 20 degrees", "heat the hall to 20 degrees",
+        ],
+        "read the weight and the noise of tank 3": ["read the weight of tank 3", "read the noise of tank 3"],
+        "read the weight, the level and the noise of tank 3": [
+            "read the weight of tank 3", "read the level of tank 3", "read the noise of tank 3",
         ],
         "put 5 screws in bin 3 and 2 nuts in bin 4": ["put 5 screws in bin 3", "put 2 nuts in bin 4"],
         "bring coffee to Anna and tea to Ben": ["bring coffee to Anna", "bring tea to Ben"],
@@ -249,6 +255,7 @@ def test_what_may_be_meant_otherwise_does_nothing(engines, language: str, said: 
         ("en", "water the first and the second bed for ten minutes", "for the last, or for all together"),
         ("en", "light the kitchen and the hall for ten minutes", "for the last, or for all together"),
         ("en", "turn on the fan and the pump in the kitchen", "'in the kitchen' may be meant for each"),
+        ("en", "read the weight and the noise of 3 liters", "'of 3 liters' may be meant for each"),
         ("de", "bring die Lampe in die Küche und in den Flur", "may be of one thing, or of one for each"),
         ("de", "lüfte die Küche und das Bad für zehn Minuten", "for the last, or for all together"),
     ],

@@ -31,7 +31,8 @@ intents:
 REASONS = (
     "it's dark", "it is getting late", "there's sand everywhere", "I'm tired", "my feet are cold", "the lid is broken",
     "you're too loud", "battery is low", "somebody is at the door", "people are walking around here",
-    "her old car smells funny", "we have guests",
+    "her old car smells funny", "we have guests", "they look hungry", "we're leaving", "someone feels cold",
+    "I think it's a bit cold", "I guess the lid is loose", "that's too bright",
 )  # fmt: skip
 COMMANDS = ("turn the lamp on", "climb two meters", "fetch the cup", "go to the kitchen", "sing")
 
@@ -74,6 +75,21 @@ def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("the lamp is off, turn it on", "turn the lamp on"),
+        ("the lamp is on, so could you turn it off?", "turn the lamp off"),
+        ("my lamp is too dark, turn it on please", "turn the lamp on"),
+        ("I think the wide lens is dirty, switch it off", "switch off the wide lens"),
+        ("the beds are dry, water them", "water the beds"),
+        ("the lamp looks dim, turn it on and go to the kitchen", "turn the lamp on, then go to the kitchen"),
+    ],
+)
+def test_what_it_is_told_of_is_what_a_pronoun_stands_for(engine: IntentEngine, said: str, command: str) -> None:
+    assert_same(engine, said, command)
+
+
+@pytest.mark.parametrize(
     "said",
     [
         # Somebody repeats, takes back or tells a tale.
@@ -89,8 +105,22 @@ def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
         "it's so switch the fan", "turn left, it's dark when I come", "turn the lamp on, it's dark if you leave",
         "turn the lamp on, it's not dark", "it's dark, don't turn the lamp on", "it's late sing, turn left",
         "you are to turn right, turn left", "turn the lamp on, it was dark",
-        # A pronoun may stand for what the reason is told of.
-        "the lamp is dark, turn it on", "turn it on, the lamp is dark",
+        # Something else is what it tells of, or what the pronoun stands for.
+        "turn it on, the lamp is dark", "the lid is dark, turn it on", "the lamp is dark, turn them on",
+        "the lamp is on, turn it on", "the lamp is on the fan, turn it off", "the lamp and the fan are on, turn it off",
+        "the lamp is on, don't turn it off", "the lamp is not on, turn it on", "the lamp was on, turn it off",
+        "if the lamp is on, turn it off", "is the lamp on, turn it off", "he says the lamp is on, turn it off",
+        "the lamp is on, he says turn it off", "the lamp is on, turn it off when I leave",
+        "Anna's lamp is on, turn it off",
+        "the lamp is dark, go to the kitchen and turn it on", "the lamp is dark, turn on the fan and turn it off",
+        "the lamp is dark turn it on", "the lamp is dark, I turned it on", "the lamp is dark, did you turn it on?",
+        # Nobody says how it is, but what somebody is to do, or thinks of it.
+        "we have to, uh, turn left", "I think you have to, uh, turn left", "I think, turn left",
+        "I think it's right, turn left", "I guess it's the bathroom, go to the kitchen", "we get the cup, turn left",
+        "they look like he told me, turn left", "that is what I said, turn left",
+        "that is the bathroom, go to the kitchen",
+        "they feel that we should, turn left", "were leaving, turn left", "were you leaving, turn left", "we'll sing",
+        "we're turning left", "we're told to, turn left",
         # No pause, and nothing that says why.
         "it's dark turn the lamp on", "fetch the cup it's hot", "I am here to turn left",
         # No command.

@@ -1,0 +1,63 @@
+""" "There" for the place of the command before: "go to the archive and fetch the boxes *from there*"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.told import Understood, readings_of
+from intent_engine.language.reading import SlotReading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["PlacesThere"]
+
+_PLACES = ("location", "choice")
+
+
+class PlacesThere:
+    """Puts the one place that the command before has in its stead.
+
+    Args:
+        grammar: whose language has such words behind a preposition.
+        sequence: its words between commands.
+    """
+
+    def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
+        self._there = PhraseSet(grammar.wording.there)
+        articles = thing_words(grammar.language).definite
+        self._articles: Sequence[tuple[str, ...]] = [(), *((article,) for article in sorted(articles))]
+        self._sequence = sequence
+
+    def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
+        """The meaning of an utterance with that place; None: there is none, or more than one.
+
+        Args:
+            core: what was said.
+            as_said: what an utterance means that takes its place; None: it is no command.
+        """
+        found = self._there.find(core.words)
+        if found is None or self._there.find(core.words, sum(found)) is not None:
+            return None
+        at, end = sum(found) - 1, sum(found)
+        if end < len(core) and not (core.breaks[end] or self._sequence.at(core.words, end)):
+            return None  # "from there on"
+        ends = (end for end in range(found[0] - 1, 0, -1) if core.breaks[end] or self._sequence.at(core.words, end))
+        before = next(filter(None, (as_said(core.part(0, end)) for end in ends)), None)
+        named = _places_of(before)
+        if not named or len(named[-1]) != 1:
+            return None
+        (place,), words = named[-1], readings_of(before)[-1].words
+        name = words[place.start : place.end]
+        for article in self._articles:
+            meant = as_said(core.with_other(at, end, Utterance.in_one_breath([*article, *name])))
+            if meant is not None:
+                later = (one for places in _places_of(meant)[len(named) :] for one in places)
+                return meant if any(one.value == place.value for one in later) else None
+        return None
+
+
+def _places_of(understood: Understood | None) -> list[list[SlotReading]]:
+    """The places that each command names."""
+    return [[slot for slot in one.slots if slot.slot.type in _PLACES] for one in readings_of(understood)]
