@@ -65,6 +65,9 @@ class Wording:
     """Negations that stand behind the first words of a command: "dreh dich *nicht* nach links"."""
     excludes: frozenset[tuple[str, ...]] = frozenset()
     """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, *not* right"."""
+    excludes_apart: frozenset[tuple[str, ...]] = frozenset()
+    """Those that do so before a whole command, and behind one only apart from it, as in its breath they forbid it: "nimm
+    den Taster, *nicht* den Bohrer"."""
     may_forbid: frozenset[str] = frozenset()
     """Corrections that forbid what follows in one breath: "*no* turn left", but "no, turn left"."""
     none_of: frozenset[str] = frozenset()

@@ -67,7 +67,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     "operators": {
         "adds": "en", "agrees": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
         "denying": "fr", "formal": "de es fr it", "before_verb": "de es fr it", "forbidding": "en es fr it",
-        "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de",
+        "may_forbid": "en es it", "excludes_apart": "de es fr it", "negated": "en", "none_of": "en es it", "parted": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",

@@ -11,6 +11,7 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.negations.denied_parts import DeniedParts
+from intent_engine.language.meaning.negations.excluding import Excluding
 from intent_engine.language.meaning.negations.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.negations.motion_verbs import MotionVerbs
 from intent_engine.language.meaning.other_words import OtherWords
@@ -41,7 +42,7 @@ class Negations:
         self._other_words = other_words
         wording = commands.matcher.grammar.wording
         self._before = frozenset(((), *wording.before_negations))
-        self._excludes = wording.excludes
+        self._excluding = Excluding(wording)
         self._behind_the_verb = bool(wording.behind_verbs)
         self._articles = thing_words(commands.matcher.grammar.language).articles
         self._parts = DeniedParts(commands, corrections)
@@ -300,7 +301,7 @@ class Negations:
         led = bool(named.words) and named.words[0] in self._articles
         if (
             not named.words
-            or tuple(denied.words[:begin]) not in self._excludes
+            or not self._excluding.before(denied.words[:begin])
             or (clause.reading.free_words and not led)
         ):
             return False
@@ -375,8 +376,7 @@ class Negations:
     def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command before a negation behind which stands only another value of one of its slots: "turn left, not
         right", "forward and not back". None: there is more, or less, or it is no other ("turn left not now")."""
-        words = core.words
-        if tuple(words[position : position + length]) not in self._excludes:
+        if not self._excluding.behind(core, position, length):
             return None
         other = core.part(position + length, len(core))
         if not other.words or self._negation.find(other.words) is not None:
