@@ -66,8 +66,8 @@ class Wording:
     excludes: frozenset[tuple[str, ...]] = frozenset()
     """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, *not* right"."""
     excludes_apart: frozenset[tuple[str, ...]] = frozenset()
-    """Those that do so before a whole command, and behind one only apart from it, as in its breath they forbid it: "nimm
-    den Taster, *nicht* den Bohrer"."""
+    """Those that do so before a whole command, and behind one only apart from it, as in its breath they forbid it:
+    "nimm den Taster, *nicht* den Bohrer"."""
     may_forbid: frozenset[str] = frozenset()
     """Corrections that forbid what follows in one breath: "*no* turn left", but "no, turn left"."""
     none_of: frozenset[str] = frozenset()
@@ -152,10 +152,20 @@ class Wording:
     """what may stand before a thing of which he tells: "*my* feet are cold","""
     tells_how: frozenset[str] = frozenset()
     """and the verb behind it: "my feet *are* cold"."""
+    tells_fully: frozenset[str] = frozenset()
+    """Those with which all may be told: "die Gäste *warten*","""
+    tells_who: frozenset[str] = frozenset()
+    """also of these instead of a thing: "*hier* staubt es"."""
+    tells_alone: tuple[tuple[str, ...], ...] = ()
+    """What tells all by itself: "*llueve*", "*piove*"."""
+    perceives_none: tuple[tuple[str, ...], ...] = ()
+    """What tells that nothing is seen or heard, and denies nothing: "*on n'entend rien*"."""
     tells_a_tale: frozenset[str] = frozenset()
     """Words with which the same tells no reason: "he is *saying* turn left"."""
     why: tuple[tuple[str, ...], ...] = ()
     """What says before such a telling that it is a reason: "*because* it's dark","""
+    why_apart: tuple[tuple[str, ...], ...] = ()
+    """the same behind a pause alone, where in one breath it tells which is meant: "la puerta, *que* hace frío","""
     why_of: tuple[tuple[str, ...], ...] = ()
     """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
     why_to: tuple[tuple[str, ...], ...] = ()

@@ -1,5 +1,5 @@
-"""Negations that only name what is not meant by a part of a command: "turn left, *not* right", "*nicht* den Bohrer, nimm
-den Taster"."""
+"""Negations that only name what is not meant by a part of a command: "turn left, *not* right", "*nicht* den Bohrer,
+nimm den Taster"."""
 
 from __future__ import annotations
 

@@ -36,9 +36,13 @@ class Reasons:
         self._tells_of_it = PhraseSet(wording.tells_of_it)
         self._tells_of = PhraseSet(wording.tells_of)
         self._of_a_thing = wording.tells_of_a
-        self._how = wording.tells_how
+        self._fully, self._who = wording.tells_fully, wording.tells_who
+        self._how = wording.tells_how | wording.tells_fully
+        self._alone = PhraseSet(wording.tells_alone)
+        self._perceives_none = PhraseSet(wording.perceives_none)
         self._tale = wording.tells_a_tale
         self._why = PhraseSet(wording.why)
+        self._why_apart = PhraseSet((*wording.why, *wording.why_apart))
         self._why_of = PhraseSet(wording.why_of)
         self._why_to = PhraseSet(wording.why_to)
         self._begun = {words[:2] for words in (*wording.tells_of_it, *wording.tells_of)}
@@ -72,26 +76,40 @@ class Reasons:
 
     def _is_reason(self, told: Sequence[str], command: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether what is told beside a command says why, and no more."""
-        phrases = self._phrases
-        others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
-        if any(one.find(told) for one in others) or not self._tale.isdisjoint(told):
+        begin = self._why_apart.at(told, 0)
+        if senses := self._perceives_none.at(told, begin):
+            rest = told[begin + senses :]
+            return not rest or (not self._means_otherwise(rest, command) and self._tells_no_more(rest, verbs))
+        if self._means_otherwise(told, command):
             return False
-        if any(other in command for word in told for other in opposed(word, self._language)):
-            return False  # "turn left, it's right"
         cause = self._why_of.at(told, 0) or self._why_to.at(told, 0)
         if cause:
             return self._tells_no_more(told[cause:], verbs)
-        begin = self._why.at(told, 0)
+        if alone := self._alone.at(told, begin):
+            return len(told) == begin + alone or self._tells_no_more(told[begin + alone :], verbs)
         if of_it := self._tells_of_it.at(told, begin):
             rest = told[begin + of_it :]
             return self._tells_no_more(rest, verbs) and not self._names_another(rest, command)
         if of_others := self._tells_of.at(told, begin):
             return self._tells_no_more(told[begin + of_others :], verbs)
         how = self._behind_a_thing(told, begin, verbs)
-        if not how or not self._tells_no_more(told[how:], verbs) or not self._for_a_thing.isdisjoint(command):
+        if not how or not self._for_a_thing.isdisjoint(command):
+            return False
+        if told[how - 1] in self._fully:
+            return how == len(told) or self._tells_no_more(told[how:], verbs)
+        if not self._tells_no_more(told[how:], verbs):
             return False
         # "Windows are open" tells of these, but "site is room two" may tell of what was named.
         return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
+
+    def _means_otherwise(self, told: Sequence[str], command: Sequence[str]) -> bool:
+        """Whether what is told denies, corrects or repeats something, or names the opposite of what is to be done: "turn
+        left, it's right"."""
+        phrases = self._phrases
+        others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
+        if any(one.find(told) for one in others) or not self._tale.isdisjoint(told):
+            return True
+        return any(other in command for word in told for other in opposed(word, self._language))
 
     def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
         """Whether what something is may be a thing, a place or a number in the place of one of a command."""
@@ -106,9 +124,12 @@ class Reasons:
 
     def _behind_a_thing(self, told: Sequence[str], begin: int, verbs: Collection[str]) -> int:
         """Where what is told of a thing goes on behind its verb; 0: no thing is told of."""
+        first, second = told[begin : begin + 1], told[begin + 1 : begin + 2]
+        if not (self._who.isdisjoint(first) or self._fully.isdisjoint(second)):
+            return begin + 2
         thing = begin + (told[begin : begin + 1] != [] and told[begin] in self._of_a_thing)
-        for at in range(thing + 1, min(thing + _MOST_OF_A_THING, len(told) - 1) + 1):
-            if told[at] in self._how:
+        for at in range(thing + 1, min(thing + _MOST_OF_A_THING + 1, len(told))):
+            if told[at] in self._fully or (told[at] in self._how and at < len(told) - 1):
                 return at + 1 if self._tells_no_more(told[thing:at], verbs) else 0
         return 0
 
