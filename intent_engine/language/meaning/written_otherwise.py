@@ -16,7 +16,7 @@ from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, readings_of
+from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, only, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
@@ -28,6 +28,7 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.pronoun_behind import PronounBehind
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
@@ -88,6 +89,7 @@ class WrittenOtherwise:
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
+        self._pronoun = PronounBehind(phrases, commands)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
         self._ways_on = WaysOn(self._matcher.grammar)
@@ -178,6 +180,8 @@ class WrittenOtherwise:
             yield self._asking.told(core)
         if kindly:
             yield from self._verb_second.ways(core)
+        if kindly or self._matcher.grammar.wording.joined:
+            yield from self._pronoun.asked(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -201,12 +205,9 @@ class WrittenOtherwise:
         """ "Den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has "stell den Kopf auf {angle}"."""
         if "?" in text or self._phrases.correction.find(core.words[:-1], 1) is None:
             return None
-        found: dict[tuple[Action, ...], Understood] = {}
-        for way in self._verb_last.corrected(core, self._commands.verbs):
-            one = self._understood_as(text, core, way.said, state)
-            if one is not None and all(map(way.is_meant, readings_of(one))):
-                found.setdefault(one[0].actions, one)
-        return next(iter(found.values())) if len(found) == 1 else None
+        ways = self._verb_last.corrected(core, self._commands.verbs)
+        found = ((way, self._understood_as(text, core, way.said, state)) for way in ways)
+        return only(one for way, one in found if one is not None and all(map(way.is_meant, readings_of(one))))
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
@@ -217,15 +218,19 @@ class WrittenOtherwise:
         if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
             if "?" in text:
                 return None
-            wished = self._for_whom.behind_what_asks(core.part(wish, len(core)))
-            return self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
+            rest = core.part(wish, len(core))
+            wished = self._for_whom.behind_what_asks(rest)
+            told = self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
+            return told or only(self._understood_as(text, core, way, state) for way in self._pronoun.asked_for(rest))
         requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
         if not grammar.wording.parted:
             asked = self._for_whom.behind_what_asks(core)
-            return self._understood_as(text, core, self._infinitives.told(asked), state)
+            told = self._understood_as(text, core, self._infinitives.told(asked), state)
+            ways = self._pronoun.asked_for(core, said.words[:1])
+            return told or only(self._understood_as(text, core, way, state) for way in ways)
         for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
             told = self._told(text, said, core.part(begin, len(core)), state)
             if told is not None:
@@ -255,8 +260,7 @@ class WrittenOtherwise:
         if found:
             return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
         ordered = (one for way in ways for one in verb_first(way, grammar) if one.words[0] in self._commands.verbs)
-        placed = {one[0].actions: one for one in (self._placed_later(text, order, state) for order in ordered) if one}
-        return next(iter(placed.values())) if len(placed) == 1 else None
+        return only(self._placed_later(text, order, state) for order in ordered)
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
@@ -278,8 +282,7 @@ class WrittenOtherwise:
             return found
         behind = list(rule.behind_the_verb(core, verbs))  # "im Flur dimme das Licht auf zehn Prozent"
         found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in behind], state)
-        placed = {one[0].actions: one for one in (self._placed_later(text, way, state) for way, _ in behind) if one}
-        return found or (next(iter(placed.values())) if len(placed) == 1 else None)
+        return found or only(self._placed_later(text, way, state) for way, _ in behind)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
@@ -314,8 +317,7 @@ class WrittenOtherwise:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
         verbs = self._commands.verbs
         ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
-        found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
-        return next(iter(found.values())) if len(found) == 1 else None
+        return only(self._understood_as(text, core, way, state) for way in ways)
 
     def _done_to_itself(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Dreh nach links" of a grammar that has "dreh dich nach links", and no free words for "dich"."""

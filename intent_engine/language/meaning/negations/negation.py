@@ -349,7 +349,8 @@ class Negations:
         if not self._excluding.behind(core, position, length):
             return None
         other = core.part(position + length, len(core))
-        if not other.words or self._negation.find(other.words) is not None:
+        goes_on = self._phrases.sequence.at(other.words, 0)
+        if not other.words or goes_on or self._negation.find(other.words) is not None:
             return None
         said = core.part(0, position)
         end = self._joined(said)

@@ -103,8 +103,8 @@ class Reasons:
         return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
 
     def _means_otherwise(self, told: Sequence[str], command: Sequence[str]) -> bool:
-        """Whether what is told denies, corrects or repeats something, or names the opposite of what is to be done: "turn
-        left, it's right"."""
+        """Whether what is told denies, corrects or repeats something, or names the opposite of what is to be done:
+        "turn left, it's right"."""
         phrases = self._phrases
         others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
         if any(one.find(told) for one in others) or not self._tale.isdisjoint(told):
