@@ -86,6 +86,8 @@ class Wording:
     """Words for one of several things, behind what tells which: "the left *one*"."""
     placed: tuple[tuple[str, ...], ...] = ()
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
+    stands_for_noun: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Words for a noun that was named before, each with its articles: "la puerta de entrada y *la* de salida"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
     of_persons: frozenset[str] = frozenset()

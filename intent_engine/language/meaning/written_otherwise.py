@@ -22,6 +22,7 @@ from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
+from intent_engine.language.meaning.wordings.nouns_before_of import NounsBeforeOf
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
 from intent_engine.language.meaning.wordings.particles import Particles
@@ -99,6 +100,7 @@ class WrittenOtherwise:
         self._reasons = Reasons(self._matcher, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
+        self._nouns_before_of = NounsBeforeOf(self._matcher.grammar, phrases.sequence)
         self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
@@ -346,7 +348,7 @@ class WrittenOtherwise:
         def as_said(other: Utterance) -> Understood | None:
             return self._understood_as(text, core, other, state)
 
-        rules = (self._named, self._persons, self._nouns)
+        rules = (self._named, self._persons, self._nouns, self._nouns_before_of)
         return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
 
     def named_before(
