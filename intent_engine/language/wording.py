@@ -209,6 +209,9 @@ class Wording:
     """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
     taken_up: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Articles, each with the pronouns for what it stands before: "*la* palette, descends-*la*"."""
+    joined_short: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Short forms of verbs, behind which what is joined begins with its letter twice, each with the verb as it is told
+    alone: "*fa*mmi", "fai"."""
     joined_first: frozenset[str] = frozenset()
     """Forms of ``joined`` that such a pronoun follows: "porta*me*la"."""
     once_more: tuple[tuple[str, ...], ...] = ()

@@ -46,6 +46,7 @@ _BY_WORD = (
     "pleads",
     "puts",
     "stands_for_noun",
+    "joined_short",
 )
 """Those of it in which each word has others, in any order."""
 _OTHERS = (

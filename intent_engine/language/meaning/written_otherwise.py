@@ -233,8 +233,9 @@ class WrittenOtherwise:
             told = self._understood_as(text, core, self._infinitives.told(asked), state)
             ways = self._pronoun.asked_for(core, said.words[:1])
             return told or only(self._understood_as(text, core, way, state) for way in ways)
-        for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
-            told = self._told(text, said, core.part(begin, len(core)), state)
+        begins = (0, 1) if core.words[0] in grammar.wording.for_whom else (0,)
+        for part in (part for begin in begins for part in self._verb_last.in_order(core.part(begin, len(core)))):
+            told = self._told(text, said, part, state)
             if told is not None:
                 return told
         return None
