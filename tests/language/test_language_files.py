@@ -77,7 +77,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "puts": "en", "brings": "en",
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
-        "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "roughly": "en",
+        "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en",
         "tells_fully": "de es fr it", "tells_who": "de es fr it", "tells_alone": "es fr it",
         "perceives_none": "de es fr it",
         "why_apart": "es it", "joined_short": "it",
