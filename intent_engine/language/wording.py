@@ -160,6 +160,8 @@ class Wording:
     """also of these instead of a thing: "*hier* staubt es"."""
     tells_alone: tuple[tuple[str, ...], ...] = ()
     """What tells all by itself: "*llueve*", "*piove*"."""
+    tells_can: frozenset[str] = frozenset()
+    """Words with which that tells that something may wait, the verb being the same: "die Gäste *können* warten"."""
     perceives_none: tuple[tuple[str, ...], ...] = ()
     """What tells that nothing is seen or heard, and denies nothing: "*on n'entend rien*"."""
     tells_a_tale: frozenset[str] = frozenset()

@@ -39,6 +39,7 @@ class Reasons:
         self._fully, self._who = wording.tells_fully, wording.tells_who
         self._how = wording.tells_how | wording.tells_fully
         self._alone = PhraseSet(wording.tells_alone)
+        self._waits = wording.tells_can
         self._perceives_none = PhraseSet(wording.perceives_none)
         self._tale = wording.tells_a_tale
         self._why = PhraseSet(wording.why)
@@ -85,6 +86,8 @@ class Reasons:
         cause = self._why_of.at(told, 0) or self._why_to.at(told, 0)
         if cause:
             return self._tells_no_more(told[cause:], verbs)
+        if not self._waits.isdisjoint(told):
+            return False  # "die Gäste können warten"
         if alone := self._alone.at(told, begin):
             return len(told) == begin + alone or self._tells_no_more(told[begin + alone :], verbs)
         if of_it := self._tells_of_it.at(told, begin):

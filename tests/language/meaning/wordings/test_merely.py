@@ -90,12 +90,12 @@ def test_in_free_words_they_are_words(dolly: IntentEngine) -> None:
 
 
 FOREIGN = {
-    language: f"language: {language}\nslots: {{far: distance}}\nintents: {{go: {{action: custom, sentences: [{said}]}}}}"
+    language: f"language: {language}\nslots: {{far: distance}}\nintents: {{go: {{action: custom, sentences: {said}}}}}"
     for language, said in (
-        ("de", '"fahr [um] {far} vor"'),
-        ("fr", '"avance de {far}"'),
-        ("es", '"avanza {far}"'),
-        ("it", '"avanza di {far}"'),
+        ("de", '["fahr [um] {far} vor"]'),
+        ("fr", '["avance de {far}"]'),
+        ("es", '["avanza {far}"]'),
+        ("it", '["avanza di {far}"]'),
     )
 }
 

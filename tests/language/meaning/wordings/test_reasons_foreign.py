@@ -147,6 +147,8 @@ def test_the_command_is_the_same(engine_of, language: str, said: str, meant: str
         ("de", "schalte die Lampe ein, ich sehe nichts und nicht die Heizung"),
         ("de", "schalte die Lampe ein, ich sehe nichts, aber nicht jetzt"),
         ("de", "man sieht nichts"),
+        ("de", "schalte die Lampe ein, das kann warten"),
+        ("de", "schalte die Lampe ein, die Gäste können noch warten"),
         ("de", "wer wartet, fahr in die Küche"),
         ("fr", "allume la lampe, on ne veut rien"),
         ("fr", "n'allume pas la lampe, on n'y voit rien"),
