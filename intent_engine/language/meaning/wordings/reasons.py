@@ -127,6 +127,8 @@ class Reasons:
 
     def _behind_a_thing(self, told: Sequence[str], begin: int, verbs: Collection[str]) -> int:
         """Where what is told of a thing goes on behind its verb; 0: no thing is told of."""
+        if begin and not self._fully.isdisjoint(told[begin : begin + 1]):
+            return begin + 1  # "que esperan"
         first, second = told[begin : begin + 1], told[begin + 1 : begin + 2]
         if not (self._who.isdisjoint(first) or self._fully.isdisjoint(second)):
             return begin + 2
