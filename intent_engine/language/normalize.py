@@ -59,7 +59,7 @@ _POWERS = {"²": " squared", "³": " cubed"}
 _ELIDED = "[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|dov|com|tutt|mezz"
 """French, Italian and Catalan words that lose a vowel before another: "l'entrée", "dell'ufficio" are two words each."""
 _VOWEL = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
-ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’ʼ`](?={_VOWEL})", re.IGNORECASE)
+ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’ʼ`](?={_VOWEL}|\d)", re.IGNORECASE)
 """Such a word and its apostrophe. "D'Angelo" is one word."""
 _APART = re.compile(rf"(?<!\S)({_ELIDED}) (?={_VOWEL})")
 _PLAIN = re.compile(r"([a-z]+(?: (?:[a-z]+|\d+(?! ?\d|[^ .!?]|\.\d)))*)[.!?]?")

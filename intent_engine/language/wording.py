@@ -65,6 +65,9 @@ class Wording:
     """Negations that stand behind the first words of a command: "dreh dich *nicht* nach links"."""
     excludes: frozenset[tuple[str, ...]] = frozenset()
     """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, *not* right"."""
+    excludes_apart: frozenset[tuple[str, ...]] = frozenset()
+    """Those that do so before a whole command, and behind one only apart from it, as in its breath they forbid it:
+    "nimm den Taster, *nicht* den Bohrer"."""
     may_forbid: frozenset[str] = frozenset()
     """Corrections that forbid what follows in one breath: "*no* turn left", but "no, turn left"."""
     none_of: frozenset[str] = frozenset()
@@ -83,6 +86,8 @@ class Wording:
     """Words for one of several things, behind what tells which: "the left *one*"."""
     placed: tuple[tuple[str, ...], ...] = ()
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
+    stands_for_noun: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Words for a noun that was named before, each with its articles: "la puerta de entrada y *la* de salida"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
     there: tuple[tuple[str, ...], ...] = ()
@@ -155,12 +160,24 @@ class Wording:
     """and the verb behind it: "my feet *are* cold"."""
     somewhat: tuple[tuple[str, ...], ...] = ()
     """What may stand before how something is, and names no thing: "it's *a bit* cold"."""
+    tells_fully: frozenset[str] = frozenset()
+    """Those with which all may be told: "die Gäste *warten*","""
+    tells_who: frozenset[str] = frozenset()
+    """also of these instead of a thing: "*hier* staubt es"."""
+    tells_alone: tuple[tuple[str, ...], ...] = ()
+    """What tells all by itself: "*llueve*", "*piove*"."""
+    tells_can: frozenset[str] = frozenset()
+    """Words with which that tells that something may wait, the verb being the same: "die Gäste *können* warten"."""
+    perceives_none: tuple[tuple[str, ...], ...] = ()
+    """What tells that nothing is seen or heard, and denies nothing: "*on n'entend rien*"."""
     tells_a_tale: frozenset[str] = frozenset()
     """Words with which the same tells no reason: "he is *saying* turn left"."""
     why: tuple[tuple[str, ...], ...] = ()
     """What says before such a telling that it is a reason: "*because* it's dark","""
     thinks: tuple[tuple[str, ...], ...] = ()
     """what says there that somebody thinks so: "*I think* it's dark","""
+    why_apart: tuple[tuple[str, ...], ...] = ()
+    """the same behind a pause alone, where in one breath it tells which is meant: "la puerta, *que* hace frío","""
     why_of: tuple[tuple[str, ...], ...] = ()
     """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
     why_to: tuple[tuple[str, ...], ...] = ()
@@ -208,6 +225,9 @@ class Wording:
     """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
     taken_up: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Articles, each with the pronouns for what it stands before: "*la* palette, descends-*la*"."""
+    joined_short: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Short forms of verbs, behind which what is joined begins with its letter twice, each with the verb as it is told
+    alone: "*fa*mmi", "fai"."""
     joined_first: frozenset[str] = frozenset()
     """Forms of ``joined`` that such a pronoun follows: "porta*me*la"."""
     once_more: tuple[tuple[str, ...], ...] = ()

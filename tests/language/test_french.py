@@ -41,6 +41,7 @@ def engine(engine_of) -> IntentEngine:
         ("va dans la salle d'eau", {"lieu": "salle d'eau"}),
         ("va au bureau douze", {"lieu": "Bureau 12"}),
         ("avance d'un mètre et demi", {"distance": 1.5}),
+        ("avance d'1,5 mètre", {"distance": 1.5}),
         ("prends l'assiette", {"chose": "assiette"}),
     ],
 )

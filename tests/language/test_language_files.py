@@ -67,7 +67,8 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     "operators": {
         "adds": "en", "agrees": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
         "denying": "fr", "formal": "de es fr it", "before_verb": "de es fr it", "forbidding": "en es fr it",
-        "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de",
+        "may_forbid": "en es it",
+        "excludes_apart": "de es fr it", "negated": "en", "none_of": "en es it", "parted": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
@@ -79,6 +80,9 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "roughly": "en",
         "there": "en", "others": "en", "other_people": "en", "seeks": "en",
         "tells_of_whom": "en", "thinks": "en", "somewhat": "en",
+        "tells_fully": "de es fr it", "tells_who": "de es fr it", "tells_alone": "es fr it",
+        "perceives_none": "de es fr it",
+        "why_apart": "es it", "joined_short": "it", "tells_can": "de",
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
         "vaguely": "de es fr it", "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",

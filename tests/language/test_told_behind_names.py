@@ -73,3 +73,51 @@ def test_in_the_shipped_grammar(said: str) -> None:
 )
 def test_what_may_be_its_name_is(engine: IntentEngine, said: str, value: str) -> None:
     assert list(engine.parse(said).slots.values()) == [value]
+
+
+FOREIGN = """
+language: {language}
+slots: {{thing: {{type: object, max_words: 4}}, song: {{type: text, max_words: 4}}}}
+intents:
+  fetch: {{action: custom, sentences: ["{fetch} {{thing}}"]}}
+  play: {{action: custom, sentences: ["{play} {{song}}"]}}
+"""
+VERBS = {"de": ("such", "spiel"), "fr": ("prends", "joue"), "es": ("coge", "toca"), "it": ("prendi", "suona")}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "thing"),
+    [
+        ("de", "such die Zange, die Gäste warten", "zange"),
+        ("de", "such auch die Zange", "zange"),
+        ("de", "such auch Zange", "zange"),
+        ("fr", "prends la tasse, ça brûle", "tasse"),
+        ("fr", "prends aussi la tasse", "tasse"),
+        ("fr", "prends la tasse bleue, verte", "tasse bleue verte"),
+        ("es", "coge la taza, que quema", "taza"),
+        ("es", "coge también la taza", "taza"),
+        ("it", "prendi la tazza, scotta", "tazza"),
+        ("it", "prendi la tazza, che scotta", "tazza"),
+        ("it", "prendi anche tazza", "tazza"),
+    ],
+)
+def test_of_other_languages_it_is_no_part_either(engine_of, language: str, said: str, thing: str) -> None:
+    fetch, play = VERBS[language]
+    found = engine_of(FOREIGN.format(language=language, fetch=fetch, play=play)).parse(said)
+    assert found.slots == {"thing": thing}, found.reason
+
+
+@pytest.mark.parametrize(("language", "said"), [("de", "such auch"), ("fr", "prends aussi"), ("es", "coge también")])
+def test_what_softens_is_no_thing(engine_of, language: str, said: str) -> None:
+    fetch, play = VERBS[language]
+    assert not engine_of(FOREIGN.format(language=language, fetch=fetch, play=play)).parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "song"),
+    [("de", "spiel auch morgen", "auch morgen"), ("fr", "joue aussi loin", "aussi loin")],
+)
+def test_in_titles_they_are_words(engine_of, language: str, said: str, song: str) -> None:
+    fetch, play = VERBS[language]
+    found = engine_of(FOREIGN.format(language=language, fetch=fetch, play=play)).parse(said)
+    assert found.slots == {"song": song}, found.reason

@@ -39,7 +39,7 @@ class Phrases:
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         self._articles = thing_words(grammar.language).articles
-        self.merely = PhraseSet(wording.merely)
+        self.merely, self.led_by = PhraseSet(wording.merely), wording.led_by
         """What says no more before so much, in whatever pauses."""
         self.roughly = PhraseSet(wording.roughly)
         """The same behind it: "two minutes *or so*"."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TypeAlias
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Cause, Interpretation, Question, Status
 from intent_engine.language.context.answers import with_name
 from intent_engine.language.grammar import FREE_KINDS
@@ -20,6 +20,7 @@ __all__ = [
     "asked_back",
     "free_words_of",
     "names_any",
+    "only",
     "readings_of",
     "which_number",
 ]
@@ -116,3 +117,12 @@ def which_number(written: str, language: str) -> str:
     if language != "en":
         decimals = decimals.replace(".", ",")
     return f"{written!r} could be {thousands} or {decimals}; write one of these, or say it in words"
+
+
+def only(found: Iterable[Understood | None]) -> Understood | None:
+    """What is understood in any of several ways; None: nothing is, or it is not the same in all."""
+    meanings: dict[tuple[Action, ...], Understood] = {}
+    for one in found:
+        if one is not None:
+            meanings.setdefault(one[0].actions, one)
+    return next(iter(meanings.values())) if len(meanings) == 1 else None

@@ -16,13 +16,14 @@ from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, readings_of
+from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, only, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.given_to import GivenTo
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
+from intent_engine.language.meaning.wordings.nouns_before_of import NounsBeforeOf
 from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
 from intent_engine.language.meaning.wordings.one_of_it import OneOfIt
@@ -31,6 +32,7 @@ from intent_engine.language.meaning.wordings.permitted import Permitted
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.places_there import PlacesThere
+from intent_engine.language.meaning.wordings.pronoun_behind import PronounBehind
 from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
@@ -91,8 +93,8 @@ class WrittenOtherwise:
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
-        self._wishing = PhraseSet(wording.wishing)
-        self._kindly = PhraseSet(wording.kindly)
+        self._pronoun = PronounBehind(phrases, commands)
+        self._wishing, self._kindly = PhraseSet(wording.wishing), PhraseSet(wording.kindly)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
@@ -101,9 +103,8 @@ class WrittenOtherwise:
         self._numbers = (*NUMBERS, OneOfIt(commands).rule, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
-        self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
-        self._there = PlacesThere(self._matcher.grammar, phrases.sequence)
-        self._persons = PersonsNamed(self._matcher.grammar, phrases.sequence)
+        others = (PersonsNamed, NounsOfOrdinals, NounsBeforeOf, PlacesThere)
+        self._pointing = (self._named, *(rule(self._matcher.grammar, phrases.sequence) for rule in others))
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
@@ -148,10 +149,9 @@ class WrittenOtherwise:
         for rule in (*rules, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
-        if written is None:
-            other = self._other_words.told(core, state, asks="?" in text)
-            written = self._understood_as(text, core, other, state)
-        return written
+        if written is not None:
+            return written
+        return self._understood_as(text, core, self._other_words.told(core, state, asks="?" in text), state)
 
     def or_asked(self, text: str, core: Utterance, state: Collection[str], asks: Clause) -> Understood:
         """What is asked back, unless that is only what the verb of a command is, and another form of one of the verbs
@@ -181,6 +181,8 @@ class WrittenOtherwise:
             yield self._asking.told(core)
         if kindly:
             yield from self._verb_second.ways(core)
+        if kindly or self._matcher.grammar.wording.joined:
+            yield from self._pronoun.asked(core)
 
     def _said(self, text: str) -> Utterance:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
@@ -204,12 +206,9 @@ class WrittenOtherwise:
         """ "Den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has "stell den Kopf auf {angle}"."""
         if "?" in text or self._phrases.correction.find(core.words[:-1], 1) is None:
             return None
-        found: dict[tuple[Action, ...], Understood] = {}
-        for way in self._verb_last.corrected(core, self._commands.verbs):
-            one = self._understood_as(text, core, way.said, state)
-            if one is not None and all(map(way.is_meant, readings_of(one))):
-                found.setdefault(one[0].actions, one)
-        return next(iter(found.values())) if len(found) == 1 else None
+        ways = self._verb_last.corrected(core, self._commands.verbs)
+        found = ((way, self._understood_as(text, core, way.said, state)) for way in ways)
+        return only(one for way, one in found if one is not None and all(map(way.is_meant, readings_of(one))))
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
@@ -219,17 +218,22 @@ class WrittenOtherwise:
         if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
             if "?" in text:
                 return None
-            wished = self._for_whom.behind_what_asks(core.part(wish, len(core)))
-            return self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
+            rest = core.part(wish, len(core))
+            wished = self._for_whom.behind_what_asks(rest)
+            told = self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
+            return told or only(self._understood_as(text, core, way, state) for way in self._pronoun.asked_for(rest))
         requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
         if not grammar.wording.parted:
             asked = self._for_whom.behind_what_asks(core)
-            return self._understood_as(text, core, self._infinitives.told(asked), state)
-        for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
-            told = self._told(text, said, core.part(begin, len(core)), state)
+            told = self._understood_as(text, core, self._infinitives.told(asked), state)
+            ways = self._pronoun.asked_for(core, said.words[:1])
+            return told or only(self._understood_as(text, core, way, state) for way in ways)
+        begins = (0, 1) if core.words[0] in grammar.wording.for_whom else (0,)
+        for part in (part for begin in begins for part in self._verb_last.in_order(core.part(begin, len(core)))):
+            told = self._told(text, said, part, state)
             if told is not None:
                 return told
         return None
@@ -257,8 +261,7 @@ class WrittenOtherwise:
         if found:
             return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
         ordered = (one for way in ways for one in verb_first(way, grammar) if one.words[0] in self._commands.verbs)
-        placed = {one[0].actions: one for one in (self._placed_later(text, order, state) for order in ordered) if one}
-        return next(iter(placed.values())) if len(placed) == 1 else None
+        return only(self._placed_later(text, order, state) for order in ordered)
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
@@ -280,8 +283,7 @@ class WrittenOtherwise:
             return found
         behind = list(rule.behind_the_verb(core, verbs))  # "im Flur dimme das Licht auf zehn Prozent"
         found = self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in behind], state)
-        placed = {one[0].actions: one for one in (self._placed_later(text, way, state) for way, _ in behind) if one}
-        return found or (next(iter(placed.values())) if len(placed) == 1 else None)
+        return found or only(self._placed_later(text, way, state) for way, _ in behind)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
@@ -316,8 +318,7 @@ class WrittenOtherwise:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
         verbs = self._commands.verbs
         ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
-        found = {one[0].actions: one for one in (self._understood_as(text, core, way, state) for way in ways) if one}
-        return next(iter(found.values())) if len(found) == 1 else None
+        return only(self._understood_as(text, core, way, state) for way in ways)
 
     def _done_to_itself(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Dreh nach links" of a grammar that has "dreh dich nach links", and no free words for "dich"."""
@@ -348,9 +349,8 @@ class WrittenOtherwise:
         "close the first valve and open the second"."""
         if self._reasons.tells_of_a_name(core, self._commands.verbs):
             return None
-        rules = (self._named, self._persons, self._nouns, self._there)
         as_said = partial(self._understood_as, text, core, state=state)
-        return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
+        return next(filter(None, (rule.put_in(core, as_said) for rule in self._pointing)), None)
 
     def named_before(
         self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]

@@ -12,8 +12,9 @@ from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.slots.name_words import accented_names
+from intent_engine.language.slots.told_besides import ToldBesides
 from intent_engine.language.templates.template_tree import Node, Reference, references
-from intent_engine.language.words.contractions import begins_to_tell, shortened
+from intent_engine.language.words.contractions import shortened
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import ARTICLES, thing_words
 
@@ -29,8 +30,7 @@ class FreeText:
     def __init__(self, grammar: Grammar) -> None:
         self._grammar = grammar
         # Single words of these are closed to free slots already; phrases are only seen whole.
-        self._language = grammar.language
-        operators = grammar.operators
+        self._language, operators = grammar.language, grammar.operators
         self._closed = operators.closed
         changing = (
             *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
@@ -47,7 +47,8 @@ class FreeText:
         self._idle = PhraseSet(words for words in grammar.fillers if words not in telling)
         """Fillers that tell nobody anything: "please", "now"."""
         self._words = words = thing_words(grammar.language)
-        self._begins_no_thing = words.persons | words.where | {filler[0] for filler in grammar.fillers if filler}
+        idle = (*grammar.fillers, *grammar.wording.softens)
+        self._begins_no_thing = words.persons | words.where | {phrase[0] for phrase in idle if phrase}
         self.articles = words.articles or ARTICLES
         """Words before a name that are no part of it."""
         self._bare_articles = self.articles - words.telling_which
@@ -62,6 +63,7 @@ class FreeText:
         english = grammar.language == "en"
         self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()
         """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""
+        self._besides, self._softens = ToldBesides(grammar), PhraseSet(grammar.wording.softens)
         self.unfinished = words.unfinished
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone
@@ -187,8 +189,9 @@ class FreeText:
 
     def _is_no_thing(self, slot: Slot, words: Sequence[str], start: int, end: int) -> bool:
         """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
-        ("grab me", "get me the cup", but "the us flag"), only say where ("grab there"), or say nothing ("grab,
-        please"). In any they are none where a person is given something: "print *me a* gear"."""
+        ("grab me", "get me the cup", but "the us flag"), only say where ("grab there"), say nothing ("grab, please"),
+        or begin with what softens an order ("prends *aussi* la tasse"). In any they are none where a person is given
+        something: "print *me a* gear"."""
         said, before, wording = words[start:end], words[:start][-1:], self._grammar.wording
         if _meant(slot, said[0]):
             return False
@@ -198,7 +201,7 @@ class FreeText:
         if said[0] in self._words.where:
             return len(said) == 1
         if said[0] not in self._words.persons:
-            return self._fillers.cover(said)
+            return self._fillers.cover(said) or self._softens.at(said, 0) > 0
         return len(said) == 1 or said[1] in self.articles or said[1] in self._words.joining
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
@@ -227,10 +230,8 @@ class FreeText:
         return frozenset()
 
     def tells_besides(self, slot: Slot, words: Sequence[str]) -> bool:
-        """Whether words behind a pause tell of something, and are no part of the name of a thing before them: "the cup,
-        *you're nice*". A title may go on so."""
-        word = words[0]
-        return self._language == "en" and self._names_a_thing(slot) and word not in slot.allow and begins_to_tell(word)
+        """Whether words behind a pause are no part of a thing before them. A title may go on so."""
+        return self._names_a_thing(slot) and words[0] not in slot.allow and self._besides.begins(words)
 
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""

@@ -23,7 +23,7 @@ __all__ = ["Spacing", "in_a_row"]
 LEAST_LETTERS = 2
 """Of a part: "alight" is no "a light"."""
 
-_VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü")
+_VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü18")
 """What a word may begin with before which others are shortened."""
 
 _JOINS_SLOTS = frozenset(("de",))

@@ -11,8 +11,10 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.negations.denied_parts import DeniedParts
+from intent_engine.language.meaning.negations.excluding import Excluding
 from intent_engine.language.meaning.negations.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.negations.motion_verbs import MotionVerbs
+from intent_engine.language.meaning.negations.where_denied import WhereDenied
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
@@ -41,7 +43,8 @@ class Negations:
         self._other_words = other_words
         wording = commands.matcher.grammar.wording
         self._before = frozenset(((), *wording.before_negations))
-        self._excludes = wording.excludes
+        self._excluding = Excluding(wording)
+        self._first = WhereDenied(phrases, wording).first
         self._behind_the_verb = bool(wording.behind_verbs)
         self._articles = thing_words(commands.matcher.grammar.language).articles
         self._parts = DeniedParts(commands, corrections)
@@ -57,38 +60,6 @@ class Negations:
             return False
         lengths = (0, *self._phrases.correction.lengths_at(core.words, 0))
         return any(tuple(core.words[length : found[0]]) in self._before for length in lengths if length <= found[0])
-
-    def _first(self, core: Utterance) -> tuple[int, int] | None:
-        """(position, length) of the first negation that is no correction, nor a part of one: "no espera" corrects,
-        where "no" negates; "no no" may be either, and so negates. Spanish "no" corrects between two pauses, and at the
-        beginning before one: "a la izquierda, no, a la derecha", "no, ve al bar"."""
-        words = core.words
-        position = 0
-        while position < len(words):
-            length = self._negation.at(words, position)
-            corrects = self._phrases.correction.at(words, position)
-            if corrects > length and not all(
-                self._negation.at([word], 0) for word in words[position : position + corrects]
-            ):
-                position += corrects
-            elif parted := self._correction_apart(core, position):
-                position += parted
-            elif length:
-                return position, length
-            else:
-                position += 1
-        return None
-
-    def _correction_apart(self, core: Utterance, position: int) -> int:
-        """Length of the words of correction at a place, said in one breath between two pauses; 0: there are none.
-        Before the first word of all needs to be no pause, and behind them something must follow."""
-        if position and not core.breaks[position]:
-            return 0
-        for length in self._phrases.correction.lengths_at(core.words, position):
-            end = position + length
-            if end < len(core) and core.breaks[end] and True not in core.breaks[position + 1 : end]:
-                return length
-        return 0
 
     def forbids_motion(self, core: Utterance, state: Collection[str]) -> bool:
         """Whether nothing is said but that a motion is not to be: "don't move", "don't go to the kitchen".
@@ -300,7 +271,7 @@ class Negations:
         led = bool(named.words) and named.words[0] in self._articles
         if (
             not named.words
-            or tuple(denied.words[:begin]) not in self._excludes
+            or not self._excluding.before(denied.words[:begin])
             or (clause.reading.free_words and not led)
         ):
             return False
@@ -375,11 +346,11 @@ class Negations:
     def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command before a negation behind which stands only another value of one of its slots: "turn left, not
         right", "forward and not back". None: there is more, or less, or it is no other ("turn left not now")."""
-        words = core.words
-        if tuple(words[position : position + length]) not in self._excludes:
+        if not self._excluding.behind(core, position, length):
             return None
         other = core.part(position + length, len(core))
-        if not other.words or self._negation.find(other.words) is not None:
+        goes_on = self._phrases.sequence.at(other.words, 0)
+        if not other.words or goes_on or self._negation.find(other.words) is not None:
             return None
         said = core.part(0, position)
         end = self._joined(said)

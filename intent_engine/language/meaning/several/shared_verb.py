@@ -248,11 +248,17 @@ class SharedVerb:
             told = f"{listed!r} may be of one thing, or of one for each"
         elif _may_share_tens(said):
             told = f"{listed!r} may share their tens"
-        elif not in_turn and any(other.is_bare for other in said[1:]) and not self._names_things(last):
+        elif not in_turn and any(map(self._is_bare, said[1:])) and not self._names_things(last):
             told = f"{listed!r} may be for each of them, or for all together"
         else:
             return None
         return Clause(one.reading, reason=f"{told}; say each command in full", alternatives=each, ambiguous=True)
+
+    def _is_bare(self, said: _Said) -> bool:
+        """Whether a name is said without an article, be it its own: "show the Thinker and *the* Mona Lisa"."""
+        own = said.reading.words[said.start : said.end]
+        led = len(own) > 1 and own[0] in self._articles and said.own[0].slot.type in TELLING_APART
+        return said.is_bare and not led
 
     def _is_one_thing(self, said: _Said) -> bool:
         """Whether a thing is named before that goes or is done only once: "bring *coffee* to the lab and to the hall".

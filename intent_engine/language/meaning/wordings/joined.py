@@ -31,7 +31,7 @@ class Joined:
 
     def __init__(self, phrases: Phrases, commands: Commands, formal: Formal) -> None:
         grammar = commands.matcher.grammar
-        self._joined = grammar.wording.joined
+        self._joined, self._short = grammar.wording.joined, grammar.wording.joined_short
         self._asked = [[word] for word in grammar.wording.asked]
         self._grammar = grammar
         self._phrases = phrases
@@ -61,7 +61,8 @@ class Joined:
         """The verb to which something is joined, as the grammar has it or a stranger is told it; None: none is."""
         for joined in self._joined:
             bare = word.removesuffix(joined)
-            for verb in (bare, without_stress(bare)) if bare != word else ():
+            short = self._short.get(bare.removesuffix(joined[0]), ()) if bare.endswith(joined[0]) else ()
+            for verb in (bare, without_stress(bare), *sorted(short)) if bare != word else ():
                 if verb in self._commands.first_words or self._formal.is_one(verb):
                     return verb
         return None

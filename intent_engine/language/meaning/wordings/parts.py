@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.counted import amounts, in_an_amount
+from intent_engine.language.meaning.wordings.merely import said_before
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["next_begins", "part_by_part"]
@@ -53,8 +54,8 @@ def _parts(said: Utterance, phrases: Phrases, language: str) -> Iterator[tuple[i
     merely = {  # "go just two meters", "to, say, two meters"
         at
         for amount in amounts(said.words, language)
-        if (length := phrases.merely.ends(said.words[: amount.start]))
-        for at in range(amount.start - length, amount.start + 1)
+        for begin, length in said_before(said.words, amount.start, phrases)
+        for at in range(begin - length, begin + 1)
     }
 
     def begins(at: int) -> bool:

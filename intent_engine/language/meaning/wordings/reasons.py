@@ -38,10 +38,15 @@ class Reasons:
         self._tells_of_it = PhraseSet(wording.tells_of_it)
         self._tells_of = PhraseSet(wording.tells_of)
         self._of_a_thing = wording.tells_of_a
-        self._how = wording.tells_how
+        self._fully, self._who = wording.tells_fully, wording.tells_who
+        self._how = wording.tells_how | wording.tells_fully
+        self._alone = PhraseSet(wording.tells_alone)
+        self._waits = wording.tells_can
+        self._perceives_none = PhraseSet(wording.perceives_none)
         self._somewhat = PhraseSet(wording.somewhat)
         self._tale = wording.tells_a_tale
         self._why = PhraseSet(wording.why)
+        self._why_apart = PhraseSet((*wording.why, *wording.why_apart))
         self._thinks = PhraseSet(wording.thinks)
         self._why_of = PhraseSet(wording.why_of)
         self._why_to = PhraseSet(wording.why_to)
@@ -126,15 +131,20 @@ class Reasons:
 
     def _is_reason(self, told: Sequence[str], command: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether what is told beside a command says why, and no more."""
-        if self._turns(told):
+        begin = self._why_apart.at(told, 0)
+        if senses := self._perceives_none.at(told, begin):
+            rest = told[begin + senses :]
+            return not rest or (not self._means_otherwise(rest, command) and self._tells_no_more(rest, verbs))
+        if self._means_otherwise(told, command):
             return False
-        if any(other in command for word in told for other in opposed(word, self._language)):
-            return False  # "turn left, it's right"
         cause = self._why_of.at(told, 0) or self._why_to.at(told, 0)
         if cause:
             return self._tells_no_more(told[cause:], verbs)
-        begin = self._why.at(told, 0)
         begin += self._thinks.at(told, begin)
+        if not self._waits.isdisjoint(told):
+            return False  # "die Gäste können warten"
+        if alone := self._alone.at(told, begin):
+            return len(told) == begin + alone or self._tells_no_more(told[begin + alone :], verbs)
         if of_it := self._tells_of_it.at(told, begin):
             rest = told[begin + of_it :]
             return self._tells_no_more(rest, verbs) and not self._names_another(rest, command)
@@ -146,7 +156,11 @@ class Reasons:
             rest = told[begin + 2 :]
             return self._tells_no_more(rest, verbs) and rest[0] not in self._articles
         how = self._behind_a_thing(told, begin, verbs)
-        if not how or not self._tells_no_more(told[how:], verbs) or not self._for_a_thing.isdisjoint(command):
+        if not how or not self._for_a_thing.isdisjoint(command):
+            return False
+        if told[how - 1] in self._fully:
+            return how == len(told) or self._tells_no_more(told[how:], verbs)
+        if not self._tells_no_more(told[how:], verbs):
             return False
         # "Windows are open" tells of these, but "site is room two" may tell of what was named.
         return told[begin] in self._of_a_thing or not self._names_another(told[how:], command)
@@ -156,6 +170,10 @@ class Reasons:
         phrases = self._phrases
         others = (phrases.negation, phrases.sequence, phrases.correction, phrases.cancel, phrases.stop)
         return any(one.find(told) for one in others) or not self._tale.isdisjoint(told)
+
+    def _means_otherwise(self, told: Sequence[str], command: Sequence[str]) -> bool:
+        """Whether what is told turns something, or names the opposite of what is to be done: "left, it's right"."""
+        return self._turns(told) or any(other in command for word in told for other in opposed(word, self._language))
 
     def _names_another(self, rest: Sequence[str], command: Sequence[str]) -> bool:
         """Whether what something is may be a thing, a place or a number in the place of one of a command."""
@@ -173,9 +191,14 @@ class Reasons:
 
     def _behind_a_thing(self, told: Sequence[str], begin: int, verbs: Collection[str]) -> int:
         """Where what is told of a thing goes on behind its verb; 0: no thing is told of."""
+        if begin and not self._fully.isdisjoint(told[begin : begin + 1]):
+            return begin + 1  # "que esperan"
+        first, second = told[begin : begin + 1], told[begin + 1 : begin + 2]
+        if not (self._who.isdisjoint(first) or self._fully.isdisjoint(second)):
+            return begin + 2
         thing = begin + (told[begin : begin + 1] != [] and told[begin] in self._of_a_thing)
-        for at in range(thing + 1, min(thing + _MOST_OF_A_THING, len(told) - 1) + 1):
-            if told[at] in self._how:
+        for at in range(thing + 1, min(thing + _MOST_OF_A_THING + 1, len(told))):
+            if told[at] in self._fully or (told[at] in self._how and at < len(told) - 1):
                 return at + 1 if self._tells_no_more(told[thing:at], verbs) else 0
         return 0
 

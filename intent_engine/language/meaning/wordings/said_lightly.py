@@ -9,6 +9,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -45,6 +46,7 @@ class SaidLightly:
         self._within = PhraseSet(further if wording.parted else ())
         self._switched = wording.switched.union(wording.parted)
         self._phrases = phrases
+        self._language = grammar.language
 
     def without(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """The same without them; None: there are none.
@@ -78,7 +80,8 @@ class SaidLightly:
         while found is not None:
             at, end = found[0], sum(found)
             ends = end == len(core) or any(core.breaks[at + 1 : end + 1]) or self._phrases.goes_on(core.words[end:])
-            if not ends:
+            numbers = all(is_number(word, self._language) for word in core.words[at - 1 : end + 1 : end - at + 1])
+            if not ends and not (at and numbers):  # of "hundert, lieber fünfzig" are no 150 left
                 yield found
             found = self._within.find(core.words, end)
 

@@ -37,6 +37,7 @@ class TakenUp:
         self._alone = pronouns if wording.joined else pronouns & thing_words(grammar.language).articles
         self._contracted = {one: to for one, (_, to) in thing_words(grammar.language).contracted.items()}
         self._sequence = phrases.sequence
+        self._leads = wording.leads
         self._formal = formal
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
@@ -83,8 +84,10 @@ class TakenUp:
                 return
 
     def _ends(self, core: Utterance, end: int) -> bool:
-        """Whether a word that may be an article is none, since no name follows: "ferme la"."""
-        return self._is_joined or end == len(core) or core.breaks[end] or self._sequence.at(core.words, end) > 0
+        """Whether a word that may be an article is none, since no name follows: "ferme la", "pose la sur le quai"."""
+        if self._is_joined or end == len(core) or core.breaks[end] or core.words[end] in self._leads:
+            return True
+        return self._sequence.at(core.words, end) > 0
 
     def _things(self, words: Sequence[str], pronoun: str) -> Iterator[list[str]]:
         """What may be things for which a pronoun stands, each with its article."""

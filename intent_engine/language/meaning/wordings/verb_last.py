@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Set
+from collections.abc import Callable, Collection, Iterator, Sequence, Set
 from functools import partial
 
-from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.command import LEAST_WORDS
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -50,6 +51,23 @@ class VerbLast:
                 itself = order.words[1] in self._grammar.wording.before_verbs and order.words[1] not in said.words[:1]
                 if order.words[0] in verbs and (not itself or begins(order.words[:2])):
                     yield Rewording(order, partial(self._tells_by_itself, part))
+
+    def in_order(self, asked: Utterance) -> Iterator[Utterance]:
+        """What somebody is asked to do, and the same with its verb behind what follows it, apart: "dass du eine Tasche
+        fräst, acht Millimeter tief". A number there may take the place of another: "zwei Meter vorfahren, drei"."""
+        yield asked
+        apart = [at for at in range(LEAST_WORDS, len(asked)) if asked.breaks[at]]
+        if len(apart) != 1:
+            return
+        before, verb, more = asked.part(0, apart[0] - 1), asked.words[apart[0] - 1], asked.part(apart[0], len(asked))
+        if not (is_number(more.words[0], self._grammar.language) and self._ends_an_amount(before.words)):
+            yield Utterance([*before.words, *more.words, verb], [*before.breaks, *more.breaks, False])
+
+    def _ends_an_amount(self, words: Sequence[str]) -> bool:
+        """Whether words end with a number or a unit, behind which another number would go on."""
+        language = self._grammar.language
+        ways = (evaluate(["2", words[-1]], kind, language) for kind in QUANTITY_KINDS)
+        return is_number(words[-1], language) or any(way is not None for way in ways)
 
     def corrected(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
         """One order in which something is corrected before its verb, with that first and its pauses: "den Kopf auf 20,

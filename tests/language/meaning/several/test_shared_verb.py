@@ -354,3 +354,31 @@ def test_a_verb_may_be_a_value_of_a_list(engine_of, said, each) -> None:
 )
 def test_what_is_not_clear_of_listed_verbs_does_nothing(engine_of, said) -> None:
     assert not engine_of(LISTED).parse(said).actions
+
+
+ARTS = """
+language: {language}
+slots: {{art: [{arts}]}}
+intents: {{show: {{action: custom, sentences: ["{show} {{art}}"]}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "arts", "show", "said", "meant"),
+    [
+        ("en", "the Kiss, the Thinker", "show", "show the Kiss and the Thinker", "show the Kiss and show the Thinker"),
+        (
+            "fr",
+            "la Vénus, le Penseur",
+            "montre",
+            "montre la Vénus et le Penseur",
+            "montre la Vénus et montre le Penseur",
+        ),
+    ],
+)
+def test_the_article_of_a_name_is_one(engine_of, language: str, arts: str, show: str, said: str, meant: str) -> None:
+    engine = engine_of(ARTS.format(language=language, arts=arts, show=show))
+    wanted = engine.parse(meant).actions
+    assert len(wanted) == 2
+    assert engine.parse(said).actions == wanted
+    assert not engine.parse(said.replace(" et ", " ou ").replace(" and ", " or ")).actions

@@ -108,3 +108,53 @@ def test_what_leaves_it_open_is_none(dolly: IntentEngine, said: str) -> None:
 
 def test_in_free_words_they_are_words(dolly: IntentEngine) -> None:
     assert dolly.parse("play two minutes or so").slots == {"title": "two minutes or so"}
+
+
+FOREIGN = {
+    language: f"language: {language}\nslots: {{far: distance}}\nintents: {{go: {{action: custom, sentences: {said}}}}}"
+    for language, said in (
+        ("de", '["fahr [um] {far} vor"]'),
+        ("fr", '["avance de {far}"]'),
+        ("es", '["avanza {far}"]'),
+        ("it", '["avanza di {far}"]'),
+    )
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("de", "fahr um, sagen wir, zwei Meter vor", "fahr zwei Meter vor"),
+        ("de", "fahr zwei Meter oder so vor", "fahr zwei Meter vor"),
+        ("fr", "avance, disons de deux mètres", "avance de deux mètres"),
+        ("fr", "avance de disons deux mètres", "avance de deux mètres"),
+        ("fr", "avance de deux mètres ou à peu près", "avance de deux mètres"),
+        ("es", "avanza, digamos, dos metros", "avanza dos metros"),
+        ("es", "avanza más o menos dos metros", "avanza dos metros"),
+        ("es", "avanza dos metros o así", "avanza dos metros"),
+        ("it", "avanza di, diciamo, due metri", "avanza di due metri"),
+        ("it", "avanza di due metri più o meno", "avanza di due metri"),
+    ],
+)
+def test_of_other_languages_they_say_no_more(engine_of, language: str, said: str, meant: str) -> None:
+    assert_same(engine_of(FOREIGN[language]), said, meant)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", "fahr um hundert, sagen wir, zwanzig Meter vor"),
+        ("de", "fahr zwei Meter oder drei vor"),
+        ("fr", "avance de deux mètres, disons trois"),
+        ("fr", "avance de vingt, disons cinq mètres"),
+        ("fr", "avance de vingt à peu près cinq mètres"),
+        ("fr", "disons de deux mètres"),
+        ("es", "avanza veinte más o menos cinco metros"),
+        ("es", "avanza dos metros o tres"),
+        ("es", "no avances más o menos dos metros"),
+        ("it", "avanza di venti più o meno cinque metri"),
+        ("it", "avanza di due, diciamo tre metri"),
+    ],
+)
+def test_of_other_languages_no_number_is_made(engine_of, language: str, said: str) -> None:
+    assert not engine_of(FOREIGN[language]).parse(said).actions

@@ -21,6 +21,7 @@ intents:
   ir: {action: custom, sentences: ["ve a la {zona}"]}
   medir: {action: custom, sentences: ["mide la humedad"]}
   traer: {action: custom, sentences: ["trae la caja"]}
+  dar: {action: custom, sentences: ["da la llave"]}
 """,
     "fr": """
 language: fr
@@ -41,6 +42,8 @@ intents:
   portare: {action: custom, sentences: ["porta la cassa"]}
   pulire: {action: custom, sentences: ["pulisci la {luogo}"]}
   iniziare: {action: custom, sentences: ["inizia il giro"]}
+  fare: {action: custom, sentences: ["fai una foto"]}
+  dare: {action: custom, sentences: ["dai la chiave"]}
 """,
     "de": """
 language: de
@@ -118,6 +121,11 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("it", "potresti pulire la cucina per favore", "pulisci la cucina"),
         ("it", "vorrei che tu pulissi la cucina", "pulisci la cucina"),
         ("it", "portami la cassa", "porta la cassa"),
+        ("it", "fammi una foto", "fai una foto"),
+        ("it", "dacci la chiave", "dai la chiave"),
+        ("es", "¿me das la llave?", "da la llave"),
+        ("es", "déme usted la llave", "da la llave"),
+        ("es", "¿puedes darme la llave?", "da la llave"),
         ("de", "schaltest du bitte die Pumpe ein?", "schalte die Pumpe ein"),
         ("de", "nimmst du bitte die Kiste", "nimm die Kiste"),
         ("de", "hole zwei Kisten", "hol zwei Kisten"),

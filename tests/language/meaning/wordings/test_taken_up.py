@@ -87,6 +87,7 @@ intents:
   ouvrir: {action: custom, sentences: ["ouvre (la|le) {chose}"]}
   fermer: {action: custom, sentences: ["ferme (la|le) {chose}"]}
   nettoyer: {action: custom, sentences: ["nettoie (la|le) {pièce}"]}
+  poser: {action: custom, sentences: ["pose (la|le) {chose} (devant|dans) (la|le) {pièce}"]}
 """,
     "es": """
 language: es
@@ -111,6 +112,8 @@ intents:
         ("fr", "ouvre la porte et ferme-la", "ouvre la porte et ferme la porte"),
         ("fr", "ouvrez la fenêtre, puis fermez-la", "ouvre la fenêtre puis ferme la fenêtre"),
         ("fr", "ouvre le volet et ferme-le", "ouvre le volet et ferme le volet"),
+        ("fr", "ouvre la porte et pose-la devant le salon", "ouvre la porte et pose la porte devant le salon"),
+        ("fr", "la porte, ouvre-la et pose-la dans la cuisine", "ouvre la porte et pose la porte dans la cuisine"),
         ("es", "abre la puerta y ciérrala", "abre la puerta y cierra la puerta"),
         ("es", "abra el grifo y luego ciérrelo", "abre el grifo y luego cierra el grifo"),
         ("it", "apri la porta e poi chiudila", "apri la porta e poi chiudi la porta"),
@@ -128,6 +131,8 @@ def test_a_later_verb_takes_it_up(engine_of, language: str, said: str, meant: st
         ("fr", "ouvre la porte et ne la ferme pas"),
         ("fr", "ouvre la porte, ouvre la fenêtre et ferme-la"),  # which?
         ("fr", "ferme-la"),
+        ("fr", "ouvre la porte et ne la pose pas devant le salon"),
+        ("fr", "ouvre le volet et pose-la devant le salon"),
         ("es", "abre la puerta y ciérralo"),
         ("es", "abre la puerta y no la cierres"),
         ("es", "la puerta y la ventana ciérrala"),
