@@ -179,6 +179,24 @@ def test_other_dashes_are_pauses(oven: IntentEngine) -> None:
     assert does("turn left - 20 degrees") == "left 20"
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "hold 1 hour - 5 minutes"),
+        ("en", "hold 5 minutes \u2013 20 seconds"),
+        ("de", "hold 1 Stunde - 5 Minuten"),
+        ("fr", "hold 1 heure - 5 minutes"),
+        ("es", "hold 1 hora - 5 minutos"),
+        ("it", "hold 1 ora - 5 minuti"),
+    ],
+)
+def test_between_two_amounts_it_may_be_a_minus(engine_of, language: str, said: str) -> None:
+    engine = engine_of(f"language: {language}\nslots: {{t: duration}}\nintents:\n  hold: "
+                       '{action: custom, sentences: ["hold {t}"]}\n')  # fmt: skip
+    assert not engine.parse(said).actions
+    assert engine.parse(said.replace(" - ", " ").replace(" \u2013 ", " ")).actions
+
+
 def test_german_dashes_before_values(engine_of) -> None:
     engine = engine_of(
         "language: de\nslots: {heat: {type: number, min: -40}}\n"
