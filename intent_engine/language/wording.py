@@ -133,6 +133,8 @@ class Wording:
     """What ends an order without a verb: "lights *on*"."""
     wishes_for: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants a thing: "*could I get* a mojito"."""
+    takes_along: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Those that tell what somebody does himself, each with the words that say so: "*I'll take* the tea *to* her"."""
     wishes_done: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants something done: "*I want* the beacon turned on","""
     to_be: tuple[tuple[str, ...], ...] = ()

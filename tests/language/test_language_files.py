@@ -75,7 +75,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "puts": "en", "brings": "en",
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
-        "how_often": "de en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
+        "how_often": "de en", "wishes_for": "en", "takes_along": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en", "merely": "en", "roughly": "en",
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",

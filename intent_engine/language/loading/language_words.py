@@ -36,7 +36,7 @@ _LISTS = {
 }  # fmt: skip
 """The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
 _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
-_BY_WORD = ("particles", "idle_particles", "sizes", "levels", "taken_up", "permits", "pleads", "puts")
+_BY_WORD = ("particles", "idle_particles", "sizes", "levels", "taken_up", "permits", "pleads", "puts", "takes_along")
 """Those of it in which each word has others, in any order."""
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
 
-from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
@@ -178,7 +178,7 @@ class Compounds:
                     if onward is not None and not onward[0].accepted:
                         found = onward
                     elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
-                        found = [clause, *onward]
+                        found = [clause, *onward] if after > end else _of_one_speed(clause, onward)
                         stops = after > end and len(onward) == 1 and isinstance(onward[0].action, Stop)
                         if stops and not self._ends_another(words[after:]):
                             found = [self._at_rest(clause, words[after:])]  # "... and wait there"
@@ -327,6 +327,16 @@ class Compounds:
         if start == first and not self._commands_in(core.part(after, len(core.words)), state):
             return None
         return core.part(start, end), clause
+
+
+def _of_one_speed(clause: Clause, onward: Sequence[Clause]) -> list[Clause]:
+    """Commands in a row behind a pause, of which two that change the speed the same way are one: who says "you're going
+    too fast, slow down a bit" tells why. What says how much is the one."""
+    one, other = clause.action, onward[0].action
+    if not (isinstance(one, ChangeSpeed) and isinstance(other, ChangeSpeed)) or (one.factor < 1) != (other.factor < 1):
+        return [clause, *onward]
+    telling = (said for said in (onward[0], clause) if said.reading is not None and said.reading.values())
+    return [next(telling, clause), *onward[1:]]
 
 
 def _goes_on(clause: Clause) -> bool:

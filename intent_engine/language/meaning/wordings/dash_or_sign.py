@@ -39,6 +39,8 @@ _SIGNED = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*\Z")
 """A number that is signed like the one behind such a hyphen: the first of "-2 -3"."""
 _SIGNED_BEFORE = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*(?P<hyphen>[-−‐‑‒–])(?=\.?\d)")
 """One right behind such a number, that may be the dash of a range or the next sign: "-2-3"."""
+_SIGNED_LETTER = re.compile(r"(?<!\S)[-−‐‑‒–]([^\W\d_])(?!\w)")
+"""A letter with a sign, as an axis has it: "along -x"."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
@@ -89,6 +91,9 @@ class DashOrSign:
         signed, found = self._signed(text, meant) if self._below_zero else (text, meant(text))
         if found[0].actions and not found[0].stops and (number := self._unclear(signed, found[1])):
             return _either(text, number)
+        if found[0].actions and not found[0].stops and (letter := _letter_with_sign(text, found[1])):
+            reason = f"{letter!r} may be the other way along it; say which way"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
         if from_to := self._from_to(signed, found[1]):
             reason = f"{from_to!r} may be all from the one to the other; say each of them"
             return Interpretation(text, Status.REJECTED, reason=reason), ()
@@ -202,6 +207,15 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
         for slot in part.reading.slots
         if isinstance(slot.value, (int, float)) and not isinstance(slot.value, bool) and slot.value < 0
     }
+
+
+def _letter_with_sign(text: str, parts: Sequence[Clause]) -> str:
+    """A letter with a sign before it that was taken for the value of a list; empty: there is none."""
+    signed = {found[1].casefold(): found[0] for found in _SIGNED_LETTER.finditer(text)}
+    readings = (part.reading for part in parts if signed and part.reading is not None)
+    listed = ((one.words, slot) for one in readings for slot in one.slots if slot.slot.type == "choice")
+    letters = (words[slot.start] for words, slot in listed if slot.end - slot.start == 1)
+    return next((signed[letter] for letter in letters if letter in signed), "")
 
 
 def _amounts(understood: Understood) -> list[object]:

@@ -210,3 +210,14 @@ def test_german_dashes_before_values(engine_of) -> None:
         'intents:\n  kühl: {action: custom, sentences: ["kühl es auf {heat} grad"]}\n'
     )
     assert not cold.parse("kühl es auf - 20 Grad").actions, "which cannot be below zero"
+
+
+@pytest.mark.parametrize(
+    ("said", "done"), [("x", True), ("-x", False), ("\u2212x", False), ("- x", True), ("axis-x", True)]
+)
+def test_an_axis_with_a_sign_may_be_the_other_way(engine_of, said: str, done: bool) -> None:
+    engine = engine_of(
+        "slots: {axis: [x, z], far: {type: distance, min: 0 m}}\n"
+        'intents:\n  jog: {action: custom, sentences: ["jog {far} along [axis] {axis}"]}\n'
+    )
+    assert bool(engine.parse(f"jog 5 mm along {said}").actions) is done
