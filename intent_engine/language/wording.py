@@ -28,6 +28,8 @@ class Wording:
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
     no_joints: tuple[tuple[str, ...], ...] = ()
     """What begins like a joint and is none: "*next to* the door"."""
+    at_times: tuple[tuple[str, ...], ...] = ()
+    """What says how often where an utterance begins or ends, though its words may say nothing: "*now and then*"."""
     in_its_place: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()

@@ -83,7 +83,8 @@ def test_it_is_the_same(engine: IntentEngine, said: str, command: str) -> None:
         "turn left, I'm kidding", "turn left, that's wrong", "turn left, that is what he said",
         "the sign is clear, turn left", "turn left, you are supposed to", "the teacher is shouting, sing",
         "turn left, I'm sorry",
-        "turn left, I have changed my mind", "turn left, it is forbidden", "it's forbidden, turn left", "sing, it's for later",
+        "turn left, I have changed my mind", "turn left, it is forbidden", "it's forbidden, turn left",
+        "sing, it's for later",
         "turn left, I am only teasing", "turn left, the trip is cancelled", "turn left, it is unnecessary",
         # What is left out may be a command.
         "sing, he has to", "they have to, sing", "turn left, we are going to",
