@@ -171,7 +171,7 @@ class Compounds:
                     if onward is not None and not self._joints.part_numbers(words, end, after, clause, onward[0]):
                         onward = None
                     if onward is not None:
-                        onward = self._unless_the_way_back(clause, onward)
+                        onward = self._unless_of_its_verb(clause, self._unless_the_way_back(clause, onward), state)
                     later = onward is not None and _goes_on(onward[0])
                     if onward is not None and not later and not self._phrases.says_later(words[end:after]):
                         onward = self._unless_for_both(clause, onward)
@@ -249,6 +249,24 @@ class Compounds:
         either = (f"{described(one)}, then {described(other)}", f"{described(one)}, then the way back")
         reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
         return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
+
+    def _unless_of_its_verb(self, clause: Clause, onward: list[Clause], state: Collection[str]) -> list[Clause]:
+        """What goes on from a command, unless it begins with a value and does something else behind the verb before:
+        "look up and *down*" is no order to lie down, where that is one."""
+        one, other = clause.reading, onward[0].reading
+        if one is None or other is None or not onward[0].accepted or not other.slots or other.slots[0].start:
+            return onward
+        for slot in one.slots:
+            if slot.start == 0 or slot.slot.type != "choice" or slot.slot is other.slots[0].slot:
+                continue
+            behind = self._commands.exact([*one.words[: slot.start], *other.words], state)
+            if behind is not None and behind.accepted and behind.reading is not None:
+                if behind.action == onward[0].action:
+                    continue
+                either = tuple(f"{described(one)}, then {described(way)}" for way in (other, behind.reading))
+                reason = f"{' '.join(other.words)!r} may be a command, or be said of the verb before; say it in full"
+                return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
+        return onward
 
     def _ends_another(self, stop: list[str]) -> bool:
         """Whether a stop is no mere end of the command before it, but of something else: "turn left and *cancel the

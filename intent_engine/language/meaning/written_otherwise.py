@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
@@ -345,7 +346,10 @@ class WrittenOtherwise:
             return self._understood_as(text, core, other, state)
 
         rules = (self._named, self._persons, self._nouns)
-        return next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
+        found = next(filter(None, (rule.put_in(core, as_said) for rule in rules)), None)
+        at = self._phrases.correction.find(core.words, 1)  # "make a tea, make it two"
+        corrects = at is not None and not self._phrases.joined_before(core.words, at[0])
+        return None if corrects and any(a.intent is b.intent for a, b in pairwise(readings_of(found))) else found
 
     def named_before(
         self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]
