@@ -254,7 +254,9 @@ class Compounds:
         """What goes on from a command, unless it begins with a value and does something else behind the verb before:
         "look up and *down*" is no order to lie down, where that is one."""
         one, other = clause.reading, onward[0].reading
-        if one is None or other is None or not onward[0].accepted or not other.slots or other.slots[0].start:
+        if one is None or other is None or one.intent is other.intent:
+            return onward
+        if not onward[0].accepted or not other.slots or other.slots[0].start:
             return onward
         for slot in one.slots:
             if slot.start == 0 or slot.slot.type != "choice" or slot.slot is other.slots[0].slot:
