@@ -92,6 +92,7 @@ _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 _BREAK = "\N{ZERO WIDTH SPACE}"
 """Stands between words where nobody writes blanks."""
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
+_CLOCK = re.compile(r"\d:\d")
 UNCLEAR = "?"
 """Ends the word of a number that could be a thousand times as much. No such word has a value."""
 
@@ -137,7 +138,9 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
         kind = match.lastgroup
         start, end = match.span()
         if kind == "pause":
-            breaks = breaks or start != title or lowered[start] != "."  # of "Dr." it is no pause
+            # None is the full stop of "Dr.", nor the colon of "11:30".
+            none = lowered[start] == "." if start == title else _CLOCK.fullmatch(lowered, start - 1, end + 1)
+            breaks = breaks or not none
             continue
         title = end if match.group() in titles else -1
         for word in _words(match, kind, lowered, tokens, language):

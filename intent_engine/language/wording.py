@@ -28,6 +28,8 @@ class Wording:
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
     no_joints: tuple[tuple[str, ...], ...] = ()
     """What begins like a joint and is none: "*next to* the door"."""
+    at_times: tuple[tuple[str, ...], ...] = ()
+    """What says how often where an utterance begins or ends, though its words may say nothing: "*now and then*"."""
     in_its_place: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
@@ -140,6 +142,8 @@ class Wording:
     """What ends an order without a verb: "lights *on*"."""
     wishes_for: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants a thing: "*could I get* a mojito"."""
+    takes_along: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Those that tell what somebody does himself, each with the words that say so: "*I'll take* the tea *to* her"."""
     wishes_done: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants something done: "*I want* the beacon turned on","""
     to_be: tuple[tuple[str, ...], ...] = ()

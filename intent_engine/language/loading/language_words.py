@@ -38,17 +38,9 @@ _LISTS = {
 """The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
 _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
 _BY_WORD = (
-    "particles",
-    "idle_particles",
-    "sizes",
-    "levels",
-    "taken_up",
-    "permits",
-    "pleads",
-    "puts",
-    "stands_for_noun",
-    "joined_short",
-)
+    "particles", "idle_particles", "sizes", "levels", "taken_up", "permits", "pleads", "puts", "stands_for_noun",
+    "joined_short", "takes_along",
+)  # fmt: skip
 """Those of it in which each word has others, in any order."""
 _OTHERS = (
     "filler", "filler_denying", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
 
-from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
@@ -171,14 +171,14 @@ class Compounds:
                     if onward is not None and not self._joints.part_numbers(words, end, after, clause, onward[0]):
                         onward = None
                     if onward is not None:
-                        onward = self._unless_the_way_back(clause, onward)
+                        onward = self._unless_of_its_verb(clause, self._unless_the_way_back(clause, onward), state)
                     later = onward is not None and _goes_on(onward[0])
                     if onward is not None and not later and not self._phrases.says_later(words[end:after]):
                         onward = self._unless_for_both(clause, onward)
                     if onward is not None and not onward[0].accepted:
                         found = onward
                     elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
-                        found = [clause, *onward]
+                        found = [clause, *onward] if after > end else _of_one_speed(clause, onward)
                         stops = after > end and len(onward) == 1 and isinstance(onward[0].action, Stop)
                         if stops and not self._ends_another(words[after:]):
                             found = [self._at_rest(clause, words[after:])]  # "... and wait there"
@@ -249,6 +249,26 @@ class Compounds:
         either = (f"{described(one)}, then {described(other)}", f"{described(one)}, then the way back")
         reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
         return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
+
+    def _unless_of_its_verb(self, clause: Clause, onward: list[Clause], state: Collection[str]) -> list[Clause]:
+        """What goes on from a command, unless it begins with a value and does something else behind the verb before:
+        "look up and *down*" is no order to lie down, where that is one."""
+        one, other = clause.reading, onward[0].reading
+        if one is None or other is None or one.intent is other.intent:
+            return onward
+        if not onward[0].accepted or not other.slots or other.slots[0].start:
+            return onward
+        for slot in one.slots:
+            if slot.start == 0 or slot.slot.type != "choice" or slot.slot is other.slots[0].slot:
+                continue
+            behind = self._commands.exact([*one.words[: slot.start], *other.words], state)
+            if behind is not None and behind.accepted and behind.reading is not None:
+                if behind.action == onward[0].action:
+                    continue
+                either = tuple(f"{described(one)}, then {described(way)}" for way in (other, behind.reading))
+                reason = f"{' '.join(other.words)!r} may be a command, or be said of the verb before; say it in full"
+                return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
+        return onward
 
     def _ends_another(self, stop: list[str]) -> bool:
         """Whether a stop is no mere end of the command before it, but of something else: "turn left and *cancel the
@@ -327,6 +347,16 @@ class Compounds:
         if start == first and not self._commands_in(core.part(after, len(core.words)), state):
             return None
         return core.part(start, end), clause
+
+
+def _of_one_speed(clause: Clause, onward: Sequence[Clause]) -> list[Clause]:
+    """Commands in a row behind a pause, of which two that change the speed the same way are one: who says "you're going
+    too fast, slow down a bit" tells why. What says how much is the one."""
+    one, other = clause.action, onward[0].action
+    if not (isinstance(one, ChangeSpeed) and isinstance(other, ChangeSpeed)) or (one.factor < 1) != (other.factor < 1):
+        return [clause, *onward]
+    telling = (said for said in (onward[0], clause) if said.reading is not None and said.reading.values())
+    return [next(telling, clause), *onward[1:]]
 
 
 def _goes_on(clause: Clause) -> bool:

@@ -107,7 +107,7 @@ class Phrases:
             PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
             self._operators, self.hesitation, PhraseSet(counting), PhraseSet(counted), place_of, grammar.language,
             places, digits, known.describing, known.articles, names,
-            SomePhrases(grammar.fillers, called) if called is not None else PhraseSet(()),
+            SomePhrases(grammar.fillers, called) if called is not None else PhraseSet(()), self._hides,
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = wording.requests

@@ -16,24 +16,21 @@ from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.told import Understood, as_told, free_words_of, names_any, only, readings_of
+from intent_engine.language.meaning.told import Understood, as_told, names_any, only, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.given_to import GivenTo
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
-from intent_engine.language.meaning.wordings.nouns_before_of import NounsBeforeOf
-from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
+from intent_engine.language.meaning.wordings.named_again import NamedAgain
 from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
 from intent_engine.language.meaning.wordings.one_of_it import OneOfIt
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
-from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
-from intent_engine.language.meaning.wordings.places_there import PlacesThere
 from intent_engine.language.meaning.wordings.pronoun_behind import PronounBehind
-from intent_engine.language.meaning.wordings.pronouns import NameSaid, NamesListed
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
@@ -102,9 +99,7 @@ class WrittenOtherwise:
         self._reasons = Reasons(self._matcher, phrases)
         self._numbers = (*NUMBERS, OneOfIt(commands).rule, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
-        self._named = NamesListed(self._matcher.grammar, phrases.sequence)
-        others = (PersonsNamed, NounsOfOrdinals, NounsBeforeOf, PlacesThere)
-        self._pointing = (self._named, *(rule(self._matcher.grammar, phrases.sequence) for rule in others))
+        self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
@@ -349,8 +344,7 @@ class WrittenOtherwise:
         "close the first valve and open the second"."""
         if self._reasons.tells_of_a_name(core, self._commands.verbs):
             return None
-        as_said = partial(self._understood_as, text, core, state=state)
-        return next(filter(None, (rule.put_in(core, as_said) for rule in self._pointing)), None)
+        return self._pointing.put_in(core, partial(self._understood_as, text, core, state=state))
 
     def named_before(
         self, text: str, before: Callable[[], Sequence[Clause]], understood: Callable[[str], Understood]
@@ -360,7 +354,7 @@ class WrittenOtherwise:
         core = self._phrases.without_fillers(self._said(text))
         if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
             return []
-        return self._named.before(text, core, before, lambda one: free_words_of(understood(one)))
+        return self._pointing.before(text, core, before, understood)
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

@@ -22,9 +22,12 @@ __all__ = [
     "number_said_apart",
     "numbers_apart",
     "parted_at_joint",
+    "row_in_pieces",
 ]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
+LEAST_OF_A_ROW = 3
+"""Digits, each behind a pause, that are surely one number: "1, 2" may be two."""
 
 
 def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: str) -> list[SlotReading]:
@@ -106,7 +109,8 @@ def amounts_apart(
 
 def number_said_apart(reading: Reading, breaks: Sequence[bool | None], language: str) -> Sequence[str]:
     """The number without a unit that ends a quantity, behind its unit and a pause or a filler: "two meters, three" may
-    be 2.03 m, or three, and so may "two meters, maybe three". Empty: there is none.
+    be 2.03 m, or three, and so may "two meters, maybe three". Or one said digit by digit, in pieces: "14, 15". Empty:
+    there is none.
 
     Args:
         reading: of the words.
@@ -116,12 +120,56 @@ def number_said_apart(reading: Reading, breaks: Sequence[bool | None], language:
     words = reading.words
     for slot in reading.slots:
         if slot.slot.type in QUANTITY_KINDS:
+            if slot.slot.digits and True in breaks and row_in_pieces(slot, words, breaks, language):
+                return words[slot.start : slot.end]
             for place in range(slot.start + 1, slot.end):
                 if breaks[place] is False or is_number(words[place - 1], language):  # "one thousand, five hundred"
                     continue
                 if _is_bare_number(words[place : slot.end], language):
                     return words[place : slot.end]
     return ()
+
+
+def row_in_pieces(slot: SlotReading, words: Sequence[str], pauses: Sequence[bool | None], language: str) -> bool:
+    """Whether what was said digit by digit for a slot may be several numbers, for the pauses in it: "14, 15", "1, 2".
+
+    It is one where a pause stands between all of three digits or more ("1, 8, 0"), where the first piece could be none
+    of that slot ("20, 19", of years), and where the words are a number in any slot: "two thousand, nineteen".
+
+    Args:
+        slot: as it was read.
+        words: of the sentence.
+        pauses: where it is true, a pause stands before that word, or a dash.
+        language: of the words.
+    """
+    end = slot.start
+    while end < slot.end and is_number(words[end], language):
+        end += 1
+    row = words[slot.start : end]
+    apart = [at for at in range(1, len(row)) if pauses[slot.start + at]]
+    if not apart or quantities.evaluate(row, "number", language) is not None:
+        return False
+    if len(row) > LEAST_OF_A_ROW - 1 and len(apart) == len(row) - 1:
+        return not all(digit_of(word, language) for word in row)
+    return may_hold(slot, row[: apart[0]], language)
+
+
+def _leaves_a_row(old: Reading, new: Reading, language: str) -> bool:
+    """Whether fewer digits are said again than were said one by one: four may be four, or 124."""
+    before = {slot.label: slot for slot in old.slots}
+    for slot in new.slots:
+        was = before.get(slot.label)
+        if was is None or not slot.slot.digits or was.value == slot.value:
+            continue
+        said, meant = (_digits(one.words[at.start : at.end], language) for one, at in ((old, was), (new, slot)))
+        if 0 < meant < said:
+            return True
+    return False
+
+
+def _digits(words: Sequence[str], language: str) -> int:
+    """How many digits are said one by one, by a number that begins so; 0: none are."""
+    return next((at for at, word in enumerate(words) if not digit_of(word, language)), len(words))
 
 
 def cuts_digits(said: Sequence[str], reading: Reading, language: str) -> bool:
@@ -143,20 +191,28 @@ def cuts_digits(said: Sequence[str], reading: Reading, language: str) -> bool:
 
 
 def leaves_one_of_two(
-    said: list[str], corrected: list[str], meant: Sequence[str], read: Callable[[list[str]], Sequence[Reading]]
+    said: list[str],
+    corrected: list[str],
+    meant: Sequence[str],
+    read: Callable[[list[str]], Sequence[Reading]],
+    language: str,
 ) -> bool:
     """Whether a correction says one again of two numbers that belong together, and it is not clear which, or whether
-    the other one stays: "seven thirty, no, eight" may be eight, half past eight or eight past seven.
+    the other one stays: "seven thirty, no, eight" may be eight, half past eight or eight past seven. So may some of the
+    digits that were said one by one: "one two three, no, four".
 
     Args:
         said: the words.
         corrected: the same, corrected.
         meant: the words of the correction.
         read: all ways to understand words, the best first.
+        language: of the words.
     """
     old, new = (next(iter(read(words)), None) for words in (said, corrected))
     if old is None or new is None:
         return False
+    if _leaves_a_row(old, new, language):
+        return True
     before = {slot.label: slot.value for slot in old.slots}
     for one, other in pairwise(new.slots):
         between = new.words[one.end : other.start]

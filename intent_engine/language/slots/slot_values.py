@@ -16,6 +16,7 @@ from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.slots.free_text import FreeText
+from intent_engine.language.slots.led_things import LedThings
 from intent_engine.language.slots.own_units import OwnUnits
 from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.words.thing_words import thing_words
@@ -40,6 +41,7 @@ class SlotValues:
         self._grammar = grammar
         self._locations = locations
         self._free = free
+        self._led = LedThings(grammar)
         self._indexes: dict[str, NameIndex] = {}
         self._index_lock = threading.Lock()
         self._units = {
@@ -75,6 +77,8 @@ class SlotValues:
             problem = f"{word!r} is nothing for slot {slot.name!r}"
         if not problem and self._free.tells_when(slot, said):
             problem = f"{' '.join(said)!r} says when or for how long, and is nothing for slot {slot.name!r}"
+        if not problem and self._free.is_thing(slot) and self._led.tells_a_way(slot, said):
+            problem = f"{' '.join(said)!r} says where, and is nothing for slot {slot.name!r}"
         if not problem and self._free.is_amount(slot, said):
             problem = f"{' '.join(said)!r} is an amount, and nothing for slot {slot.name!r}"
         if problem:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.phrase_set import PhraseSet
 
 if TYPE_CHECKING:
@@ -73,6 +74,8 @@ class Openers:
     """Whether what is said between words and another word stands in the name of a thing; None: none is named."""
     called: PhraseSet = field(default_factory=lambda: PhraseSet(()))
     """Fillers that are the whole name of something: "the *ER*"."""
+    hides: PhraseSet = field(default_factory=lambda: PhraseSet(()))
+    """Fillers of several words of which one is a command: "*right* now"."""
 
     def misplaced(
         self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
@@ -84,6 +87,8 @@ class Openers:
         After a joint "right then" is no filler either: "turn left then right then left". Nor is "go and" one where its
         joint goes on: "go and then turn left" are two.
         """
+        if self.hides.at(said.words, position) == length and self._is_said(said, position, length):
+            return True
         if self.counting.at(said.words, position) == length:
             if before and self._counts_things(before[-1]):
                 return paused or not self._counts_on(said, position, length, before)
@@ -114,6 +119,14 @@ class Openers:
         else:
             begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])
+
+    def _is_said(self, said: Utterance, position: int, length: int) -> bool:
+        """Whether the command in such a filler is one: a pause parts it ("turn right, now left"), or its opposite
+        follows, which it would be said against: "turn right now left"."""
+        end = position + length
+        against = opposed(said.words[position], self.language)
+        parted = position > 0 and any(said.breaks[position + 1 : end])
+        return len(against) > 0 and (parted or not {*said.words[end : end + 1]}.isdisjoint(against))
 
     def _counts_on(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether what is counted follows in the same breath: "one more coffee", but not "one more" nor "one more

@@ -211,6 +211,10 @@ def test_it_is_the_same(engine_of, said: str, meant: str) -> None:
         "I would like tea more than coffee",
         "she'll have a tea",
         "I'll have had a tea",
+        # Somebody tells what he does himself.
+        "I'll take a tea to the office",
+        "I will take the pump off",
+        "we will take a tea along",
         "that's your boom up",
         "I have the lamp switched on",
         "I want the lamp switched on when it rains",

@@ -150,6 +150,47 @@ def test_nothing_is_done(engine: IntentEngine, said: str) -> None:
     assert not engine.parse(said).actions
 
 
+@pytest.mark.parametrize(
+    ("said", "channel"),
+    [
+        ("tune 1, 8, 0", 180),
+        ("tune 1-8-0", 180),
+        ("tune one, eight, zero", 180),
+        ("tune two thousand, nineteen", 2019),
+        ("tune 12:34", 1234),
+        ("tune one two three, no, four five six", 456),
+        ("tune one two three, no, fourteen", 14),
+        ("tune 14, no, 5", 5),
+    ],
+)
+def test_pauses_between_all_of_them(engine: IntentEngine, said: str, channel: float) -> None:
+    assert engine.parse(said).slots == {"channel": channel}
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["tune 14, 15", "tune fourteen, fifteen", "tune one four, one five", "tune 1, 2", "tune 14, 15, 16",
+     "tune 12-15", "tune 12 - 15", "tune 1-2", "tune 12: 34", "sail 14, 15 meters",
+     "tune one two three, no, four", "tune one, two, three, no, four five"],
+)  # fmt: skip
+def test_in_pieces_they_may_be_several(engine: IntentEngine, said: str) -> None:
+    """ "14, 15" may be two, "12-15" all from the one to the other, "no, four" only the last of them."""
+    assert not engine.parse(said).actions
+    assert not engine.parse(said, heard=True).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "done"), [("tune eins, acht, null", True), ("tune 14, 15", False), ("tune 1, 2", False)]
+)
+def test_in_pieces_in_german(german: IntentEngine, said: str, done: bool) -> None:
+    assert bool(german.parse(said).actions) is done
+
+
+def test_where_the_first_piece_can_be_none_they_are_one(engine_of) -> None:
+    years = engine_of(grammar().replace("channel: {type: number", "channel: {type: number, min: 1900"))
+    assert years.parse("tune 20, 19").slots == {"channel": 2019}
+
+
 def test_a_point_may_stand_among_them(engine: IntentEngine) -> None:
     assert engine.parse("tune one one eight point seven five").slots == {"channel": 118.75}
     assert engine.parse("tune minus one five").slots == {"channel": -15}

@@ -127,7 +127,8 @@ class Corrections:
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words
-            if leaves_one_of_two(said, meant, piece.words, lambda words: self._commands.readings(words, before)):
+            language = self._matcher.grammar.language
+            if leaves_one_of_two(said, meant, piece.words, lambda one: self._commands.readings(one, before), language):
                 return None
             wanted_without = self._is_what_is_had(said, meant, piece.words) or (
                 not opens

@@ -99,7 +99,7 @@ class Replacements:
                 several = self._several(said, meant, first, before)
                 if several is not None:
                     return several
-                if self._says_the_rest(said, meant, first):
+                if self._says_the_rest(said, meant, first) or (not max(kept)[1] and self._begins_another(meant)):
                     return None
                 if len(labels[max(kept)[:3]]) > 1 and self._may_be_either(said, meant, best.values()):
                     return None
@@ -121,6 +121,12 @@ class Replacements:
         opens_with_a_verb = self._commands.opens_with_a_verb
         anew = None if opens_with_a_verb(first) else self._commands.likeliest(meant)
         return anew is not None and opens_with_a_verb(anew)
+
+    def _begins_another(self, meant: list[str]) -> bool:
+        """Whether ``meant`` begins another command, which was not ended, and is no thing: "no, add eggs"."""
+        if len(meant) == 1 or meant[0] not in self._commands.verbs:
+            return False
+        return self._matcher.prefix(meant)[1] is not None
 
     def _begin_again(self, said: list[str], meant: list[str], first: Reading) -> _Stretch | None:
         """The stretch of ``said`` that begins with the word with which ``meant`` begins: "take it to the kitchen, no,

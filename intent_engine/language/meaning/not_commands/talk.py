@@ -43,6 +43,8 @@ class Talk:
         self._more_than_now = MoreThanNow(grammar)
         self._besides = PhraseSet(grammar.wording.besides)
         self._how = grammar.wording.tells_how
+        self._at_times = PhraseSet(grammar.wording.at_times)
+        self._fillers = phrases.fillers
         self._commands = commands
         self._ways = frozenset(way for said in grammar.wording.sides for way in said.split("/"))
 
@@ -71,6 +73,8 @@ class Talk:
             return f"{owned!r} may tell whose something is; say the name alone"
         if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
+        if not found.stops and (often := self._at_times_only(said.words, parts)):
+            return f"{often!r} says how often, which is not known; say the command alone"
         if self._is_done_besides(said, parts):
             return f"{said.words[-1]!r} may be a number, or say that this is done as well; say it in other words"
         if name := spoken_to(text, parts, self._values, self._language):
@@ -104,6 +108,16 @@ class Talk:
                 if slot.end in free and words[slot.end] == "s" and f"{last}s" in known:
                     return f"{last}'s"
         return ""
+
+    def _at_times_only(self, words: Sequence[str], parts: Sequence[Clause]) -> str:
+        """What says how often where an utterance begins or ends, and was left out, or taken for a joint: "*now and
+        then* turn left". Empty: there is nothing."""
+        found = self._at_times.find(words)
+        if found is None or not (self._fillers.cover(words[: found[0]]) or self._at_times.ends(words)):
+            return ""
+        often = " ".join(words[found[0] : sum(found)])
+        kept = (" ".join(part.reading.words) for part in parts if part.reading is not None)
+        return often if not any(f" {often} " in f" {one} " for one in kept) else ""
 
     def _is_done_besides(self, said: Utterance, parts: Sequence[Clause]) -> bool:
         """Whether what ends a command was read as another word, without which it is one as well: "turn left too" may be

@@ -246,6 +246,8 @@ class SharedVerb:
             told = f"{' '.join(words[one.end :])!r} may be meant for each of them, for the last, or for all together"
         elif self._is_one_thing(one):
             told = f"{listed!r} may be of one thing, or of one for each"
+        elif any(self._is_named_anew(one, other) for other in said[1:]):
+            told = f"{listed!r} may all belong to what is named before, or only the first"
         elif _may_share_tens(said):
             told = f"{listed!r} may share their tens"
         elif not in_turn and any(map(self._is_bare, said[1:])) and not self._names_things(last):
@@ -271,6 +273,18 @@ class SharedVerb:
         between = words[max(before) : said.own[0].start]
         placed = self._placed.at(words, said.start) > 0 and max(before) == said.start
         return not self._joining.isdisjoint(between) and not placed
+
+    def _is_named_anew(self, one: _Said, other: _Said) -> bool:
+        """Whether an article begins the name of another thing, where the first belongs to what was named before it: in
+        "the kitchen lamp and *the* fan" that may be another fan than the one of the kitchen."""
+        words, first = other.reading.words, one.reading.words[one.start]
+        if words[other.start] not in self._articles or first in self._articles:
+            return False
+        before = (slot for slot in other.shared if slot.end == other.start and slot.start > 0)
+        return any(
+            slot.slot.type in ("choice", "location") and not self._is_no_thing(words[slot.start : slot.end])
+            for slot in before
+        )
 
     def _is_no_thing(self, words: Sequence[str]) -> bool:
         """Whether words of a list say which of two is done: "on" and "off", "open" and "close"."""

@@ -16,6 +16,7 @@ from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers.quantity_parser import parser_of
 from intent_engine.language.numbers.units import Units, units
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.slots.adjacent_numbers import row_in_pieces
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["DashOrSign"]
@@ -38,9 +39,15 @@ _SIGNED = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*\Z")
 """A number that is signed like the one behind such a hyphen: the first of "-2 -3"."""
 _SIGNED_BEFORE = re.compile(r"(?<!\S)[-−‐‑‒–]\.?\d[\d.]*(?P<hyphen>[-−‐‑‒–])(?=\.?\d)")
 """One right behind such a number, that may be the dash of a range or the next sign: "-2-3"."""
+_SIGNED_LETTER = re.compile(r"(?<!\S)[-−‐‑‒–]([^\W\d_])(?!\w)")
+"""A letter with a sign, as an axis has it: "along -x"."""
 _DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
+
+
+_OF_TWO_UNITS = ("distance", "duration", "angle")
+"""Types of which so much may be less than another: "one hour - 5 minutes"."""
 
 
 class _Read(Enum):
@@ -66,7 +73,7 @@ class DashOrSign:
         self._level = (units(grammar.language) or Units({}, {})).words.get("level", frozenset())
         self._taking_back = {phrase[-1] for phrase in grammar.operators.correction}
         self._below_zero = any(
-            slot.type in QUANTITY_KINDS and (slot.smallest is None or slot.smallest < 0)
+            slot.type in _OF_TWO_UNITS or (slot.type in QUANTITY_KINDS and (slot.smallest is None or slot.smallest < 0))
             for slot in grammar.slots.values()
         )
 
@@ -84,7 +91,10 @@ class DashOrSign:
         signed, found = self._signed(text, meant) if self._below_zero else (text, meant(text))
         if found[0].actions and not found[0].stops and (number := self._unclear(signed, found[1])):
             return _either(text, number)
-        if len(found[1]) > 1 and (from_to := self._from_to(signed, found[1])):
+        if found[0].actions and not found[0].stops and (letter := _letter_with_sign(text, found[1])):
+            reason = f"{letter!r} may be the other way along it; say which way"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
+        if from_to := self._from_to(signed, found[1]):
             reason = f"{from_to!r} may be all from the one to the other; say each of them"
             return Interpretation(text, Status.REJECTED, reason=reason), ()
         return replace(found[0], text=text), found[1]
@@ -132,16 +142,23 @@ class DashOrSign:
         return ""
 
     def _from_to(self, text: str, parts: Sequence[Clause]) -> str:
-        """Two numbers with a dash between them, each of another command of a list: "drawers 2-5 and 7"; empty: there
-        are none."""
-        tokens = tokenize(text, self._language)
-        for one, other in pairwise(tokens):
-            if _DASH.fullmatch(text[one.end : other.start]) is None:
-                continue
-            for before, after in pairwise(part.reading for part in parts):
-                alike = before is not None and after is not None and before.sentence is after.sentence
-                if alike and _ends(before, one.word) and _begins(after, other.word):
+        """Two numbers with a dash between them, each of another command of a list, or both of what a slot takes for
+        one that is said digit by digit: "drawers 2-5 and 7", "gate 12-15"; empty: there are none."""
+        readings = [part.reading for part in parts if part.reading is not None]
+        rows = [(one, slot) for one in readings for slot in one.slots if slot.slot.digits]
+        tokens = tokenize(text, self._language) if len(readings) > 1 or rows else ()
+        dashed = [_DASH.fullmatch(text[one.end : other.start]) is not None for one, other in pairwise(tokens)]
+        for (one, other), dash in zip(pairwise(tokens), dashed, strict=True):
+            for before, after in pairwise(readings) if dash else ():
+                if before.sentence is after.sentence and _ends(before, one.word) and _begins(after, other.word):
                     return text[one.start : other.end]
+        for reading, slot in rows if any(dashed) else ():
+            row, words = [*reading.words[slot.start : slot.end]], [token.word for token in tokens]
+            for begin in range(len(words) - len(row) + 1):
+                end = begin + len(row)
+                at = replace(slot, start=begin, end=end)
+                if words[begin:end] == row and row_in_pieces(at, words, [False, *dashed], self._language):
+                    return text[tokens[begin].start : tokens[end - 1].end]
         return ""
 
     def _read(self, hyphen: str, before: str, found: Understood, otherwise: Understood) -> _Read:
@@ -150,8 +167,8 @@ class DashOrSign:
             return _Read.HYPHEN
         known, below = _below_zero(found), _below_zero(otherwise)
         more = [below[place] for place in below if place not in known]
-        if len(below) == len(known):
-            return _Read.HYPHEN
+        if len(below) == len(known):  # "one hour - 5 minutes" may be less than an hour
+            return _Read.HYPHEN if _amounts(found) == _amounts(otherwise) else _Read.EITHER
         return self._of_slot(hyphen, before, *more[0]) if len(more) == 1 else _Read.EITHER
 
     def _of_slot(self, hyphen: str, before: str, reading: Reading, slot: SlotReading) -> _Read:
@@ -192,16 +209,29 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
     }
 
 
-def _ends(reading: Reading | None, word: str) -> bool:
+def _letter_with_sign(text: str, parts: Sequence[Clause]) -> str:
+    """A letter with a sign before it that was taken for the value of a list; empty: there is none."""
+    signed = {found[1].casefold(): found[0] for found in _SIGNED_LETTER.finditer(text)}
+    readings = (part.reading for part in parts if signed and part.reading is not None)
+    listed = ((one.words, slot) for one in readings for slot in one.slots if slot.slot.type == "choice")
+    letters = (words[slot.start] for words, slot in listed if slot.end - slot.start == 1)
+    return next((signed[letter] for letter in letters if letter in signed), "")
+
+
+def _amounts(understood: Understood) -> list[object]:
+    """The value of every quantity, in order."""
+    readings = (part.reading for part in understood[1] if part.reading is not None)
+    return [slot.value for reading in readings for slot in reading.slots if slot.slot.type in QUANTITY_KINDS]
+
+
+def _ends(reading: Reading, word: str) -> bool:
     """Whether a number ends with a word."""
-    slots = reading.slots if reading is not None else ()
-    return any(slot.slot.type == "number" and reading and reading.words[slot.end - 1] == word for slot in slots)
+    return any(slot.slot.type == "number" and reading.words[slot.end - 1] == word for slot in reading.slots)
 
 
-def _begins(reading: Reading | None, word: str) -> bool:
+def _begins(reading: Reading, word: str) -> bool:
     """Whether a number begins with a word."""
-    slots = reading.slots if reading is not None else ()
-    return any(slot.slot.type == "number" and reading and reading.words[slot.start] == word for slot in slots)
+    return any(slot.slot.type == "number" and reading.words[slot.start] == word for slot in reading.slots)
 
 
 def _of_two(understood: Understood) -> bool:

@@ -52,13 +52,15 @@ class Reasons:
         self._why_to = PhraseSet(wording.why_to)
         self._begun = {words[:2] for words in (*wording.tells_of_it, *wording.tells_of)}
         known = thing_words(grammar.language)
-        self._articles, self._whither = known.articles, known.whither
+        self._articles = known.articles
         pronouns = (words for words in grammar.operators.pronoun if self._articles.isdisjoint(words))
         self._pronouns = PhraseSet(() if wording.taken_up else pronouns)
         self._several = wording.several
         self._for_a_thing = {words[0] for words in grammar.operators.pronoun if len(words) == 1} - self._articles
         self._phrases = phrases
         self._closed = frozenset(grammar.operators.closed) - self._how  # "weil es dunkel *ist*"
+        particles = frozenset[str]().union(wording.parted, *wording.particles.values())
+        self._leads_on = wording.leads - particles  # "the party is *over*", "die Tür ist *auf*"
         self._language = grammar.language
 
     def without(self, core: Utterance, verbs: Collection[str], text: str = "") -> Iterator[Utterance]:
@@ -204,8 +206,8 @@ class Reasons:
 
     def _tells_no_more(self, words: Sequence[str], verbs: Collection[str]) -> bool:
         """Whether there are words, and they have nothing of a command or of a condition."""
-        if not 0 < len(words) <= _MOST or not self._closed.isdisjoint(words) or words[-1] in self._whither:
-            return False  # "you have to, uh, turn left"
+        if not 0 < len(words) <= _MOST or not self._closed.isdisjoint(words) or words[-1] in self._leads_on:
+            return False  # "he has to, go back": what is left out is as likely a command
         return not any(self._commands(words[at:]) for at, word in enumerate(words) if word in verbs)
 
     def _commands(self, words: Sequence[str]) -> bool:

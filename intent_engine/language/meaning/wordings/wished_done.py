@@ -28,8 +28,9 @@ class WishedDone:
 
     def __init__(self, grammar: Grammar, verbless: Verbless) -> None:
         wording = grammar.wording
-        self._wishes = PhraseSet((*wording.wishes_done, *wording.wishes_for))
-        self._asking = PhraseSet(wording.wishes_for)
+        wishes_for = [words for words in wording.wishes_for if " ".join(words) not in wording.takes_along]
+        self._wishes = PhraseSet((*wording.wishes_done, *wishes_for))
+        self._asking = PhraseSet(wishes_for)
         self._to_be = PhraseSet(wording.to_be)
         self._levels = wording.levels
         self._language = grammar.language

@@ -17,6 +17,7 @@ class WishedThings:
 
     def __init__(self, grammar: Grammar) -> None:
         self._wishes = PhraseSet(grammar.wording.wishes_for)
+        self._takes_along = grammar.wording.takes_along
         self._gives = grammar.wording.gives
         self._for_whom = sorted(grammar.wording.for_whom)
 
@@ -24,6 +25,9 @@ class WishedThings:
         """With each of the verbs that commands begin with, and for whom or for nobody."""
         length = self._wishes.at(core.words, 0)
         if not 0 < length < len(core) or any(core.breaks[1 : length + 1]):
+            return
+        along = self._takes_along.get(" ".join(core.words[:length]), frozenset())
+        if not along.isdisjoint(core.words[length:]):
             return
         for verb in sorted(self._gives.intersection(verbs)):
             for told in ([verb], *([verb, whom] for whom in self._for_whom)):

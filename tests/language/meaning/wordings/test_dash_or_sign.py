@@ -179,6 +179,24 @@ def test_other_dashes_are_pauses(oven: IntentEngine) -> None:
     assert does("turn left - 20 degrees") == "left 20"
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "hold 1 hour - 5 minutes"),
+        ("en", "hold 5 minutes \u2013 20 seconds"),
+        ("de", "hold 1 Stunde - 5 Minuten"),
+        ("fr", "hold 1 heure - 5 minutes"),
+        ("es", "hold 1 hora - 5 minutos"),
+        ("it", "hold 1 ora - 5 minuti"),
+    ],
+)
+def test_between_two_amounts_it_may_be_a_minus(engine_of, language: str, said: str) -> None:
+    engine = engine_of(f"language: {language}\nslots: {{t: duration}}\nintents:\n  hold: "
+                       '{action: custom, sentences: ["hold {t}"]}\n')  # fmt: skip
+    assert not engine.parse(said).actions
+    assert engine.parse(said.replace(" - ", " ").replace(" \u2013 ", " ")).actions
+
+
 def test_german_dashes_before_values(engine_of) -> None:
     engine = engine_of(
         "language: de\nslots: {heat: {type: number, min: -40}}\n"
@@ -192,3 +210,14 @@ def test_german_dashes_before_values(engine_of) -> None:
         'intents:\n  kühl: {action: custom, sentences: ["kühl es auf {heat} grad"]}\n'
     )
     assert not cold.parse("kühl es auf - 20 Grad").actions, "which cannot be below zero"
+
+
+@pytest.mark.parametrize(
+    ("said", "done"), [("x", True), ("-x", False), ("\u2212x", False), ("- x", True), ("axis-x", True)]
+)
+def test_an_axis_with_a_sign_may_be_the_other_way(engine_of, said: str, done: bool) -> None:
+    engine = engine_of(
+        "slots: {axis: [x, z], far: {type: distance, min: 0 m}}\n"
+        'intents:\n  jog: {action: custom, sentences: ["jog {far} along [axis] {axis}"]}\n'
+    )
+    assert bool(engine.parse(f"jog 5 mm along {said}").actions) is done

@@ -163,6 +163,14 @@ def test_the_command_is_the_same(engine_of, language: str, said: str, meant: str
         ("it", "non chiudere la porta, che fa freddo"),
         ("it", "accendi la luce, non voglio niente"),
         ("it", "se piove, chiudi la porta"),
+        ("de", "schalte die Lampe ein, das ist verboten"),
+        ("de", "schalte die Lampe ein, die Feier ist abgesagt"),
+        ("fr", "ferme la porte, j'ai changé d'avis"),
+        ("fr", "ferme la porte, c'est inutile"),
+        ("es", "cierra la puerta, está prohibido"),
+        ("es", "cierra la puerta, la fiesta está cancelada"),
+        ("it", "chiudi la porta, ho cambiato idea"),
+        ("it", "chiudi la porta, è vietato"),
     ],
 )
 def test_what_is_no_reason_does_nothing(engine_of, language: str, said: str) -> None:
