@@ -80,7 +80,8 @@ class Failsafe:
             try:
                 self._robot.velocity(0.0, 0.0, self._valid_for)
             except BaseException as again:
-                log.exception("the robot raised in velocity(0, 0)")
+                meant = isinstance(again, IntentEngineError)
+                log.error("the robot raised in velocity(0, 0): %s", told(again), exc_info=None if meant else again)
                 pass_on_interrupt(again)
             self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {told(error)}")
             pass_on_interrupt(error)

@@ -10,9 +10,10 @@ from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor
-from intent_engine.execution.events import Dispatcher
+from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
+from intent_engine.execution.goal import Reason
 from intent_engine.execution.handlers import Handler
 from intent_engine.execution.intake import Intake
 from intent_engine.execution.life import Life
@@ -87,6 +88,9 @@ class Parts:
         self.life = Life(robot, self.loop, gate, failsafe, books, events, self.intake, self.waiting, self.rates.zeros)
         if hasattr(self.loop, "attach"):
             self.loop.attach(books.poke, failsafe.stop_robot)
+
+        if hasattr(robot, "when_gone"):
+            robot.when_gone(lambda: books.stop(Reason.ROBOT_ERROR, EventKind.STOP))
 
     @property
     def idle(self) -> bool:

@@ -214,6 +214,12 @@ class GoalKeeper:
             return None
         return max(now, min(self._cancel_at, now + self.RESEND)) if self._ending_anything() else now + 0.2
 
+    def lost(self, reason: str) -> None:
+        """The server cannot be asked or heard any more: who waits for a goal is told so."""
+        tasks = [self._current.task] if self._current is not None else []
+        for task in [*tasks, *([self._waiting[0]] if self._waiting is not None else [])]:
+            task.end(TaskState.FAILED, reason)
+
     def step(self, now: float) -> None:
         """Do what is due."""
         if self._current is not None:

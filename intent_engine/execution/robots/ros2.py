@@ -18,13 +18,14 @@ import logging
 import math
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import Clock, MonotonicClock
 from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.execution.robots.ros2_last_words import cancel_all, write_zeros
 from intent_engine.execution.robots.ros2_navigation import NavigationAction, NavigationWay, Ros2Navigation
 from intent_engine.execution.robots.ros2_signals import stand_before_the_end
 from intent_engine.execution.robots.ros2_spinning import Spinning
@@ -36,6 +37,7 @@ __all__ = ["Ros2Robot"]
 log = logging.getLogger(__name__)
 
 _ENDS = "the program was told to end"
+_SHUT_DOWN = "rclpy was shut down before the executor was closed: call executor.close() and robot.close() first"
 
 
 class Ros2Robot:
@@ -104,8 +106,13 @@ class Ros2Robot:
         self._valid_until: float | None = None
         """s, by the clock; None: nothing but zero was written."""
         self._closed = False
-        self._ends = False
-        """The process was told to end: nothing is begun any more."""
+        self._ends = ""
+        """Why nothing is begun any more: the process was told to end, or the middleware is gone."""
+        self._last_words: threading.Thread | None = None
+        self._when_gone: Callable[[], object] = lambda: None
+        node.context.on_shutdown(self._shut_down)
+        if self.navigation is not None:
+            self.navigation.when_gone = lambda: self._is_gone(drives=self._valid_until is not None)
         stand_before_the_end(self, None if self._own is not None else node.context)
         self._watchdog = threading.Thread(target=self._watch, name="cmd_vel-ttl", daemon=True)
         self._watchdog.start()
@@ -136,11 +143,11 @@ class Ros2Robot:
             if self._closed:
                 raise RobotError("the ROS 2 robot is closed")
             if self._ends and (linear or angular):
-                raise RobotError(_ENDS)
+                raise RobotError(self._ends)
             self._writer.write(linear, angular)
             if self._ends and (linear or angular):
                 self._writer.write(0.0, 0.0)  # the end came while it was being written
-                raise RobotError(_ENDS)
+                raise RobotError(self._ends)
             if not (linear or angular):
                 self._valid_until = None
                 return
@@ -151,12 +158,11 @@ class Ros2Robot:
     def stop(self) -> None:
         # No lock: a velocity that hangs must not keep a stop from the robot. The executor's gate sends another zero
         # after a velocity that was on its way.
-        self._valid_until = None
+        drives, self._valid_until = self._valid_until is not None, None
         try:
             self._writer.write(0.0, 0.0)
         except RobotError as error:
-            if not self._ends:  # else they were sent before the middleware was closed
-                log.error("no zero velocity could be sent: %s", error)
+            self._not_sent(error, drives)
         if self.navigation is not None:
             self.navigation.stop()
 
@@ -164,7 +170,7 @@ class Ros2Robot:
         if self.navigation is None:
             raise RobotError("this robot does not navigate")
         if self._ends:
-            raise RobotError(_ENDS)
+            raise RobotError(self._ends)
         return self.navigation.navigate(goal)
 
     def pick(self, object_name: str) -> Task:
@@ -183,7 +189,7 @@ class Ros2Robot:
     def stand(self) -> None:
         """Zero velocity and the end of every goal, and nothing new: the process ends, and the middleware perhaps before
         :meth:`close`."""
-        self._ends = True  # without the lock, which the main thread may have: a signal waits for nobody
+        self._ends = _ENDS  # without the lock, which the main thread may have: a signal waits for nobody
         for _ in range(self.ZEROS):
             self.stop()
         if self.navigation is not None:
@@ -200,11 +206,71 @@ class Ros2Robot:
         for _ in range(self.ZEROS):
             self.stop()
         self._watchdog.join(1.0)
+        if self._last_words is not None:
+            self._last_words.join()
         if self.navigation is not None:
             self.navigation.close()
         self._writer.close()
         if self._own is not None:
             self._own.close()
+
+    def when_gone(self, stop: Callable[[], object]) -> None:
+        """Call ``stop`` when the middleware was shut down: nobody can say it by ROS any more. For the executor."""
+        self._when_gone = stop
+
+    def _shut_down(self) -> None:
+        """``rclpy.shutdown()`` by the program, in its thread; the node is gone."""
+        if self._closed or self._ends:
+            return
+        self._ends, drives, navigates = _SHUT_DOWN, self._valid_until is not None, self._navigates
+        try:
+            self._when_gone()
+        finally:
+            self._say_last_words(drives, navigates)
+
+    @property
+    def _navigates(self) -> bool:
+        return self.navigation is not None and not self.navigation.quiet
+
+    def _not_sent(self, error: RobotError, drives: bool) -> None:
+        """A zero could not be."""
+        if self._ends:
+            return  # and the context is not asked, which who shuts it down has locked
+        if self.node.context.ok():
+            log.error("no zero velocity could be sent: %s", error)
+        else:
+            self._is_gone(drives)
+
+    def _is_gone(self, drives: bool) -> None:
+        """The middleware turns out to be shut down: by a signal's handler of rclpy's, which tells nobody."""
+        if self._ends:
+            return  # all was said before it was closed, or is by now
+        self._ends = _SHUT_DOWN
+        # Others are to be found first, and a stop is quick. It is no daemon, so that a program waits for it at its end.
+        words = threading.Thread(target=self._say_last_words, args=(drives, self._navigates), name="last-words")
+        try:
+            words.start()
+        except RuntimeError:  # that end has begun
+            self._say_last_words(drives, self._navigates)
+        else:
+            self._last_words = words
+
+    def _say_last_words(self, drives: bool, navigates: bool) -> None:
+        """Bring a robot to rest that was driven as the middleware was shut down."""
+        try:
+            stopped = not drives or write_zeros(
+                self._writer.topic, "true" if self._writer.stamped else "false", self._writer.frame_id
+            )
+            if self.navigation is not None and navigates:
+                stopped = cancel_all(self.navigation.cancel_service) and stopped
+        except Exception as error:
+            log.debug("no last words", exc_info=True)
+            log.error("%s; the robot may go on: %s: %s", _SHUT_DOWN, type(error).__name__, error)
+            return
+        if stopped:
+            log.warning("%s; the robot was stopped all the same", _SHUT_DOWN)
+        else:
+            log.error("%s; nobody has answered to its stop, and the robot may go on", _SHUT_DOWN)
 
     def _listen_for_pose(self, topic: str) -> None:
         from geometry_msgs.msg import PoseWithCovarianceStamped
@@ -231,7 +297,7 @@ class Ros2Robot:
                 try:
                     self._writer.write(0.0, 0.0)
                 except RobotError as error:
-                    log.error("a velocity ran out and no zero could be sent: %s", error)
+                    self._not_sent(error, drives=True)
 
 
 class _OwnNode:

@@ -102,6 +102,8 @@ class _Link:
         self._pose_stamped, self._cancel_goal = PoseStamped, CancelGoal
         self._goal_topic = goal_topic
         self._canceller = node.create_client(CancelGoal, f"{name}/_action/cancel_goal")
+        self.cancel_service = str(node.resolve_service_name(f"{name}/_action/cancel_goal"))
+        """Where goals are cancelled."""
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self._made = [
             node.create_subscription(GoalStatusArray, f"{name}/_action/status", self._heard_status, latched),
@@ -115,11 +117,6 @@ class _Link:
             self._made.append(
                 node.create_subscription(kinds.FeedbackMessage, f"{name}/_action/feedback", self._heard_feedback, 10)
             )
-
-    @property
-    def cancel_service(self) -> str:
-        """Where goals are cancelled."""
-        return str(self._node.resolve_service_name(f"{self._name}/_action/cancel_goal"))
 
     @property
     def open(self) -> bool:
@@ -241,6 +238,8 @@ class Ros2Navigation:
         self._link = _Link(node, self._inbox.put, found, name, goal_topic)
         self._keeper = GoalKeeper(self._link)
         self._numbers = 0
+        self.when_gone: Callable[[], object] = lambda: None
+        """Called when the middleware turns out to be closed, and the server cannot be asked any more."""
         self._thread = threading.Thread(target=self._run, name="navigation", daemon=True)
         self._thread.start()
 
@@ -248,6 +247,16 @@ class Ros2Navigation:
     def pose(self) -> Pose | None:
         """Where the robot is, as the last feedback of a goal said."""
         return self._link.pose
+
+    @property
+    def quiet(self) -> bool:
+        """Whether no goal is driven, or is to be ended. Once the middleware is closed, nothing changes in that."""
+        return self._keeper.quiet
+
+    @property
+    def cancel_service(self) -> str:
+        """The whole name of the service that cancels goals."""
+        return self._link.cancel_service
 
     def navigate(self, goal: Pose) -> RemoteTask:
         self._numbers += 1
@@ -307,6 +316,8 @@ class Ros2Navigation:
                 item(self._keeper, time.monotonic())
             except Exception:
                 if not self._link.open:
+                    self.when_gone()
+                    self._keeper.lost("the middleware was shut down")
                     for each in waiting:
                         each.set()  # nothing can be asked of the server any more
                     return

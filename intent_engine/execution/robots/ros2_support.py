@@ -50,12 +50,14 @@ def own_node(name: str, namespace: str = "") -> tuple[Any, Any]:
     return context, node
 
 
-def acknowledge(publisher: Any, timeout: float = 0.3) -> None:
-    """Wait until what was published has arrived, for ``timeout`` s at the most; where the middleware can tell."""
+def acknowledge(publisher: Any, timeout: float = 0.3) -> bool:
+    """Wait until what was published has arrived, for ``timeout`` s at the most; whether it has, where the middleware
+    can tell."""
     from rclpy.duration import Duration
 
     with contextlib.suppress(Exception):  # not every middleware can
-        publisher.wait_for_all_acked(Duration(seconds=timeout))
+        return bool(publisher.wait_for_all_acked(Duration(seconds=timeout)))
+    return False
 
 
 def fill_pose(message: Any, pose: Pose) -> None:

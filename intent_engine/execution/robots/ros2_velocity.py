@@ -54,7 +54,7 @@ class TwistWriter:
     ) -> None:
         from geometry_msgs.msg import Twist, TwistStamped
 
-        self._node, self._name, self._frame_id = node, topic, frame_id
+        self._node, self._name, self.frame_id = node, topic, frame_id
         self._classes = {Stamped.FALSE: Twist, Stamped.TRUE: TwistStamped}
         self._stamped = Stamped(str(stamped).lower())
         # Re-entrant: a signal handler may stop the robot in the middle of a write.
@@ -110,16 +110,17 @@ class TwistWriter:
         with contextlib.suppress(Exception):
             self._node.destroy_publisher(self._publisher)
 
-    def acknowledge(self) -> None:
-        """Wait a moment for the last message to arrive."""
-        acknowledge(self._publisher)
+    def acknowledge(self, timeout: float = 0.3) -> bool:
+        """Wait for the last message to arrive, for ``timeout`` s at the most; whether it has, where the middleware can
+        tell."""
+        return acknowledge(self._publisher, timeout)
 
     def _message(self, linear: float, angular: float) -> Any:
         message = self._classes[self._kind]()
         twist = message
         if self._kind is Stamped.TRUE:
             message.header.stamp = self._node.get_clock().now().to_msg()
-            message.header.frame_id = self._frame_id
+            message.header.frame_id = self.frame_id
             twist = message.twist
         twist.linear.x, twist.angular.z = linear, angular
         return message
