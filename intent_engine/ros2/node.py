@@ -96,9 +96,9 @@ class VoiceCommands:
         except BaseException:
             self.robot.close()
             raise
-        HearAll(node, String, "voice_commands/text", self._heard)
-        HearAll(node, String, "voice_commands/amended_text", self._heard_more)
-        HearAll(node, Bool, "voice_commands/hold", self._held)
+        HearAll(node, String, "voice_commands/text", self._heard, self._would_stop)
+        HearAll(node, String, "voice_commands/amended_text", self._heard_more, self._would_stop)
+        HearAll(node, Bool, "voice_commands/hold", self._held, lambda message: message.data)
         HearAll(node, Empty, "voice_commands/stop", lambda message, info: self._stop())
         self._states = StateKeeper(node, states, self._say)
         self._offer_services()
@@ -196,6 +196,11 @@ class VoiceCommands:
         self.executor.stop(spoken_at=spoken_at)
         self._last.forget()
         self._asked.forget()
+
+    def _would_stop(self, message: Any) -> bool:
+        """Whether a text stops a robot that moves, or may."""
+        found = self.engine.parse(message.data, state=self._told() | {MOVING}, heard=True)
+        return found.stops or bool(found.denied) or self.engine.takes_back(message.data)
 
     def _held(self, message: Any, info: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
