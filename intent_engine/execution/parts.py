@@ -88,7 +88,6 @@ class Parts:
         self.life = Life(robot, self.loop, gate, failsafe, books, events, self.intake, self.waiting, self.rates.zeros)
         if hasattr(self.loop, "attach"):
             self.loop.attach(books.poke, failsafe.stop_robot)
-
         if hasattr(robot, "when_gone"):
             robot.when_gone(lambda: books.stop(Reason.ROBOT_ERROR, EventKind.STOP))
 
