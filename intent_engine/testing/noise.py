@@ -166,6 +166,8 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
             piece = sampler.spoken(last.slot, last.label, choices)
             if _is_bare_number(piece, grammar.language):
                 return None  # "a meter and a half, no, two": and a half?
+            if last.slot.digits and len(piece.text.split()) < len(last.text.split()):
+                return None  # "one eight zero, no, five" may correct the last digit
             meant = sampler.finish(first.intent, first.sentence, [*first.pieces[:-1], piece])
             return None if meant is None else ([*first.pieces, again, piece], meant)
     other = sampler.attempt(choices)

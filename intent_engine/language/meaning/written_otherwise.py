@@ -298,7 +298,8 @@ class WrittenOtherwise:
         found: dict[Action | None, Understood] = {}
         for other, is_meant in ways:
             clause = self._commands.exact(other.words, state, breaks=other.breaks)
-            if clause is not None and clause.accepted and clause.reading is not None and is_meant(clause.reading):
+            reading = clause.reading if clause is not None and clause.accepted else None
+            if clause is not None and reading and len(reading.words) == len(other) and is_meant(reading):
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
         return next(iter(found.values())) if len(found) == 1 else None

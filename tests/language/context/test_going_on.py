@@ -181,10 +181,15 @@ intents:
         ("de", ("mach das Licht in der Küche an", "oder im Flur"), []),
         ("de", ("mach das Licht in der Küche an", "und nicht im Flur"), []),
         ("de", ("dimme das Licht im Flur auf 20 Prozent", "und im Bad"), []),
-        ("en", ("turn the fan on", "and the pump off"), []),
         ("en", ("turn the fan on", "the pump"), []),
     ],
 )
 def test_a_word_that_ends_the_sentence_ends_what_is_added(engine_of, language, texts, added) -> None:
     found = said_one_by_one(engine_of(PARTED[language]), *texts)
     assert (values(found), found.goes_on) == (added, bool(added))
+
+
+def test_what_ends_otherwise_is_another_command(engine_of) -> None:
+    engine = engine_of(PARTED["en"])
+    found = said_one_by_one(engine, "turn the fan on", "and the pump off")
+    assert found.actions == engine.parse("turn the pump off").actions != ()
