@@ -92,3 +92,15 @@ slots: {{menge: {{type: number, units: {{1: [gramm], 1000: [kilo, kilos, chilo, 
 intents: {{weigh: {{action: custom, sentences: ["{sentence}"]}}}}
 """)
     assert not engine.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "deliver cup from cup out of cup back back to cup back",
+        "deliver cup back out of cup back back back to cup cup cup",
+    ],
+)
+def test_a_way_that_is_left_out_of_what_was_moved_ends_no_word_of_it(text: str) -> None:
+    """What is moved ends at its last word, of which none may be there where "back" says no more."""
+    assert engine("grammars/en.yaml").parse(text).status is not Status.INCOMPLETE
