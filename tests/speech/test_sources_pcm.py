@@ -327,6 +327,32 @@ def test_so_is_one_that_is_ahead_of_time(monkeypatch):
     assert loud(source) == pytest.approx(count, abs=2)
 
 
+def test_so_is_a_file_on_the_disk_however_slowly_it_is_read(monkeypatch, tmp_path):
+    """Nobody is to hear the end of it alone because a busy machine was in the midst of it when it began to listen."""
+    monkeypatch.setattr(pcm.time, "sleep", lambda _seconds: None)
+    file = tmp_path / "x.raw"
+    file.write_bytes(encoded(np.full(32_000, 0.5), "s16le"))
+    in_the_midst, listening = threading.Event(), threading.Event()
+
+    class Slow(io.FileIO):
+        asked = 0
+
+        def read(self, size: int = -1, /) -> bytes:
+            Slow.asked += 1
+            if Slow.asked == 5:
+                in_the_midst.set()
+                listening.wait(10)
+            return super().read(size)
+
+    with Slow(file) as slow:
+        source = PcmSource(slow, live=True)
+        source.check()
+        assert in_the_midst.wait(10)
+        source.begin()
+        listening.set()
+        assert loud(source) == pytest.approx(32_000, abs=2)
+
+
 def loud(source: PcmSource) -> int:
     """How many samples of it are sound."""
     sound = np.concatenate([frame.samples for frame in source.frames()])

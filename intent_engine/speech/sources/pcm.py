@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import os
 import re
+import stat
 import struct
 import sys
 import threading
@@ -122,6 +123,14 @@ AHEAD = 4.0
 hold."""
 
 
+def _on_the_disk(file: BinaryIO) -> bool:
+    """Whether a file object reads a regular file, and no pipe or device."""
+    try:
+        return stat.S_ISREG(os.fstat(file.fileno()).st_mode)
+    except (OSError, ValueError, AttributeError):  # one in memory, one that is closed, or one of somebody's own
+        return False
+
+
 class PcmSource:
     """Frames of raw samples that are read from a file object, in a thread of its own.
 
@@ -135,8 +144,9 @@ class PcmSource:
     loses sound and does not say where. So it is read, which keeps that from happening, and what comes next is marked as
     sound before which some is missing: "go forward" may be the end of "don't go forward", and only a stop is done then.
 
-    What ends in that time, or brings more sound than time has gone by (``cat command.raw | ...``), is no microphone but
-    a recording, though it was called live: nothing of it is missing, and it is played at its own speed.
+    A file on the disk, and what ends in that time or brings more sound than time has gone by (``cat command.raw |
+    ...``), is no microphone but a recording, though it was called live: nothing of it is missing, and it is played at
+    its own speed.
 
     Args:
         file: binary; a pipe, standard input (from where it stands now), a file.
@@ -191,7 +201,7 @@ class PcmSource:
         """s of sound that came before."""
         self._kept: list[npt.NDArray[Any]] = []
         """That sound, as long as it may be a recording's."""
-        self._recording = not live
+        self._recording = not live or _on_the_disk(self._file)
         self._deciding = threading.Lock()
 
     def check(self) -> None:
