@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TypeAlias
 
 from intent_engine.actions import Action, Stop
@@ -11,6 +11,8 @@ from intent_engine.language.context.answers import with_name
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause, slot_values
 from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = [
     "Understood",
@@ -22,6 +24,7 @@ __all__ = [
     "names_any",
     "only",
     "readings_of",
+    "told_before",
     "which_number",
 ]
 
@@ -62,6 +65,21 @@ def asked_back(text: str, clause: Clause) -> Question | None:
 def as_stop(text: str, intent: str) -> Understood:
     """A stop as it is told, whatever was said besides; ``intent`` is the one of the grammar that stops."""
     return Interpretation(text, Status.ACCEPTED, intent, {}, (Stop(),), 1.0), ()
+
+
+def told_before(
+    core: Utterance, place: int, sequence: PhraseSet, as_said: Callable[[Utterance], Understood | None]
+) -> Understood | None:
+    """What the commands before a place mean, up to a pause or a joint that is as near to it as can be; None: nothing.
+
+    Args:
+        core: what was said.
+        place: of a word that points back.
+        sequence: the words between commands.
+        as_said: what an utterance means; None: it is no command.
+    """
+    ends = (end for end in range(place - 1, 0, -1) if core.breaks[end] or sequence.at(core.words, end))
+    return next(filter(None, (as_said(core.part(0, end)) for end in ends)), None)
 
 
 def as_told_together(text: str, parts: Sequence[Clause], stop_intent: str) -> Understood:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.told import Understood
+from intent_engine.language.meaning.told import Understood, told_before
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -40,8 +40,7 @@ class NounsOfOrdinals:
         place = self._alone(core) if self._ordinals else 0
         if not place:
             return None
-        ends = (end for end in range(place - 1, 0, -1) if core.breaks[end] or self._sequence.at(core.words, end))
-        before = next(filter(None, (as_said(core.part(0, end)) for end in ends)), None)
+        before = told_before(core, place, self._sequence, as_said)
         nouns = set(_nouns(before)) if before is not None else set()
         if len(nouns) != 1:
             return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.told import Understood, readings_of
+from intent_engine.language.meaning.told import Understood, readings_of, told_before
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -43,8 +43,7 @@ class PlacesThere:
         at, end = sum(found) - 1, sum(found)
         if end < len(core) and not (core.breaks[end] or self._sequence.at(core.words, end)):
             return None  # "from there on"
-        ends = (end for end in range(found[0] - 1, 0, -1) if core.breaks[end] or self._sequence.at(core.words, end))
-        before = next(filter(None, (as_said(core.part(0, end)) for end in ends)), None)
+        before = told_before(core, found[0], self._sequence, as_said)
         named = _places_of(before)
         if not named or len(named[-1]) != 1:
             return None
