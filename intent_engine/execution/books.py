@@ -2,7 +2,7 @@
 
 A robot that hangs holds the lock up. A stop then acts past it: velocities are shut off and the robot is stopped at
 once, and what has ended is entered as soon as the lock is free, before anything else is done under it. Whoever has the
-lock until then begins nothing.
+lock until then begins nothing. Everybody else is told that it hangs.
 """
 
 from __future__ import annotations
@@ -35,6 +35,10 @@ class Books:
     """s that a stop, or a hold, waits for the lock, before it stops the robot past it."""
     LATER = 0.5
     """s that a stop then waits for the lock, to end the goals before it returns."""
+    ANSWER = 1.0
+    """s that all else waits for it: a robot's calls start things and return."""
+    HANGING = 0.05
+    """s that all of them wait for the lock of a robot that is known to hang."""
     CLOSING = 1.0
     """s that closing waits for it besides."""
 
@@ -47,6 +51,8 @@ class Books:
         self._enter = enter
         self.renew()
         self.stops = Stops()
+        self.hangs = False
+        """Whether the lock could not be had when it was last asked for."""
         self._late: list[StopCall] = []
         """Stops that could not take the lock: they are still to be entered."""
         self._poked = False
@@ -78,24 +84,59 @@ class Books:
             finally:
                 self.lock.release()
 
+    def tell_ended(self) -> None:
+        """A goal has ended. Nobody waits for one that was turned away because somebody else has the lock."""
+        if self.lock.acquire(blocking=False):
+            try:
+                self.ended.notify_all()
+            finally:
+                self.lock.release()
+
     @contextmanager
     def locked(self) -> Iterator[float]:
         """The lock, and the time; a stop that is still to be entered comes before all else."""
         with self.lock:
+            self.hangs = False
             now = self._clock.now()
             if self._late:
                 self._end_what_they_end(self._late[-1], now)
             yield now
 
     @contextmanager
-    def held(self) -> Iterator[float]:
-        """The same for a hold, with velocities shut off before it; a robot that hangs is stopped before it is had."""
+    def asked(self) -> Iterator[float | None]:
+        """The same for who must not wait for ever: None, and no lock, if a robot hangs that has it."""
+        if not self._had(self.ANSWER):
+            yield None
+            return
+        try:
+            with self.locked() as now:
+                yield now
+        finally:
+            self.lock.release()
+
+    @contextmanager
+    def resting(self) -> Iterator[float | None]:
+        """The same for what brings a robot to rest: one that hangs is stopped."""
+        with self.asked() as now:
+            if now is None:
+                self.stop(Reason.ROBOT_ERROR, EventKind.STOP)
+            yield now
+
+    @contextmanager
+    def held(self) -> Iterator[float | None]:
+        """The same for a hold, with velocities shut off before it; a robot that hangs is stopped before it is had, and
+        its hold is a stop."""
         hold = object()
         self._gate.keep_shut(hold)
         try:
-            if not self.lock.acquire(timeout=self.PATIENCE):
+            locked = self.lock.acquire(timeout=self.PATIENCE)
+            if not locked:
                 self._failsafe.stop_past()  # see stop
-                self.lock.acquire()
+                locked = self._had(self.LATER)
+            if not locked:
+                self.stop(Reason.ROBOT_ERROR, EventKind.STOP)
+                yield None
+                return
             try:
                 with self.locked() as now:
                     yield now
@@ -103,6 +144,15 @@ class Books:
                 self.lock.release()
         finally:
             self._gate.entered(hold)
+
+    def _had(self, patience: float) -> bool:
+        """Whether the lock could be had within so many s. That it could not is told once."""
+        if self.lock.acquire(timeout=self.HANGING if self.hangs else patience):
+            return True
+        if not self.hangs:
+            self.hangs = True
+            self._failsafe.hangs()
+        return False
 
     def stop(self, reason: Reason, kind: EventKind, said: float | None = None) -> StopCall:
         """Velocities are shut off, the robot is stopped, and what that ends is entered: now, or when the lock is

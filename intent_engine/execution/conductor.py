@@ -9,7 +9,7 @@ from __future__ import annotations
 import logging
 import math
 
-from intent_engine.actions import ChangeSpeed, Stop
+from intent_engine.actions import ChangeSpeed
 from intent_engine.execution.admission import Admission, Terms, forbidden
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
@@ -78,7 +78,8 @@ class Conductor:
 
     @property
     def running(self) -> Goal | None:
-        return self._run.goal if self._run is not None else None
+        run = self._run  # may be asked for without the lock of a robot that hangs
+        return run.goal if run is not None else None
 
     @property
     def closed(self) -> bool:
@@ -150,16 +151,10 @@ class Conductor:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already.
         ``since``: the last stop when they were asked for. ``amends``: the earlier goal that the first one puts
         right; what that one has covered counts."""
-        for goal in goals:
-            self._events.tell(EventKind.GOAL, goal)
-        if isinstance(goals[0].action, Stop):
-            # Whatever may be wrong with the rest of the sentence, the stop has happened.
-            for state in (GoalState.ACCEPTED, GoalState.EXECUTING):
-                self._progress.move(goals[0], state, now)
-            self._progress.end(goals[0], Ending(GoalState.SUCCEEDED), now)
-            goals, terms = goals[1:], terms[1:]
+        goals = self._intake.announced(goals, now)
         if not goals:
             return
+        terms = terms[-len(goals) :]
         if any(isinstance(goal.action, ChangeSpeed) for goal in goals):
             self._speeds.change(goals, terms, now, since)
             return

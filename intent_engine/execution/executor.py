@@ -11,6 +11,7 @@ Safety, in the order in which it is kept:
 * Every way out of a motion ends in two or three zeros and then silence.
 * Whatever a robot or a handler raises ends its own goal and nothing else. What a listener raises is logged, and it is
   called again with the next event; to end a program from one, tell another thread.
+* Of a robot that hangs in a call nothing is asked but a stop, and whoever asks for something else is told so.
 """
 
 from __future__ import annotations
@@ -20,11 +21,13 @@ from functools import partial
 from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
+from intent_engine.errors import RobotError
 from intent_engine.execution import given, shutdown
 from intent_engine.execution.admission import check_robot, checked
 from intent_engine.execution.clock import Clock, SteppedClock
 from intent_engine.execution.denial import does
 from intent_engine.execution.events import EventKind, Listener
+from intent_engine.execution.failsafe import HANGS
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler
 from intent_engine.execution.limits import Limits
@@ -134,7 +137,8 @@ class Executor:
                 a reason, or raises, the action is not done, nor is what comes after it in the same call.
 
         Returns:
-            A goal for each action, in order.
+            A goal for each action, in order; rejected with :attr:`Reason.ROBOT_ERROR` while the robot hangs in a call
+            that another thread has made.
 
         Raises:
             TypeError: something that is not an action was submitted, a guard that cannot be called, or what is no goal.
@@ -157,10 +161,14 @@ class Executor:
         if not listed:
             return []
         try:
-            with self._books.locked() as now:
+            with self._books.asked() as free:
+                now = self.clock.now() if free is None else free
                 self._utterance += 1
                 made = partial(Goal, wait=self._wait_for, askers=stops.leases.askers, part_of=stops.leases.part_of)
                 goals = [made(action, now, spoken_at, self._utterance, text) for action in listed]
+                if free is None:
+                    self._intake.turn_away(goals, now)
+                    return goals
                 with self._pulse.whole():
                     self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)
@@ -191,9 +199,12 @@ class Executor:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit.
 
         Raises:
-            RobotError: the velocity loop could not be started; no motion is accepted until it can.
+            RobotError: the velocity loop could not be started, or the robot hangs in a call; no motion is accepted
+                until it can.
         """
-        with self._books.locked():
+        with self._books.asked() as now:
+            if now is None:
+                raise RobotError(HANGS)
             self._intake.estopped = False
             if self._failsafe.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
@@ -204,57 +215,62 @@ class Executor:
     def hold(self) -> None:
         """Zero velocity now, as :meth:`stop`, but :meth:`release` lets the motion go on where it stood.
 
-        For a stop that is not certain yet. Nobody's release within ``hold_limit`` makes a stop of it.
+        For a stop that is not certain yet. Nobody's release within ``hold_limit`` makes a stop of it, and so does a
+        robot that hangs in a call.
         """
         with self._books.held() as now:
-            if not (self._conductor.closed or self._conductor.held):
+            if now is not None and not (self._conductor.closed or self._conductor.held):
                 self._conductor.hold(now, self._failsafe.stop_robot())
                 self._events.tell(EventKind.HOLD)
                 self._books.wake.notify_all()
         self._events.flush()
 
     def release(self) -> None:
-        """End a hold: motions cover what was left of them, navigation is given again."""
-        with self._books.locked() as now:
-            if self._conductor.held:
+        """End a hold: motions cover what was left of them, navigation is given again. Not while the robot hangs in a
+        call."""
+        with self._books.asked() as now:
+            if now is not None and self._conductor.held:
                 self._events.tell(EventKind.RELEASE)
                 self._conductor.release(now)
                 self._books.wake.notify_all()
         self._events.flush()
 
     def pause(self) -> None:
-        """Come to rest with the robot's deceleration, and wait for :meth:`resume`."""
-        with self._books.locked() as now:
-            if not (self._conductor.closed or self._conductor.paused):
+        """Come to rest with the robot's deceleration, and wait for :meth:`resume`. A robot that hangs is stopped."""
+        with self._books.resting() as now:
+            if now is not None and not (self._conductor.closed or self._conductor.paused):
                 self._events.tell(EventKind.PAUSE)
                 self._conductor.pause(now)
                 self._pulse.advance(now)
         self._events.flush()
 
     def resume(self) -> None:
-        """Go on after :meth:`pause`."""
-        with self._books.locked() as now:
-            if self._conductor.paused:
+        """Go on after :meth:`pause`. Not while the robot hangs in a call."""
+        with self._books.asked() as now:
+            if now is not None and self._conductor.paused:
                 self._events.tell(EventKind.RESUME)
                 self._conductor.resume(now)
                 self._books.wake.notify_all()
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
-        """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration.
+        """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration. A
+        robot that hangs is stopped.
 
         Raises:
             TypeError: it is no goal.
             ValueError: it is another executor's.
         """
         goal = given.goal_of("cancel", goal, self)
-        with self._books.locked() as now:
-            self._conductor.cancel(goal, now)
-            self._pulse.advance(now)
+        with self._books.resting() as now:
+            if now is not None:
+                self._conductor.cancel(goal, now)
+                self._pulse.advance(now)
         self._events.flush()
 
     def deny(self, actions: Action | Iterable[Action], *, spoken_at: float | None = None) -> bool:
-        """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
+        """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does; and
+        a robot that hangs in a call, whatever it does.
 
         What the handler of one of them submits is a part of it. Listeners are told in any case, since others may do it:
         an action may have been handed over to them.
@@ -274,9 +290,9 @@ class Executor:
         listed = actions_of("deny", actions)
         if not listed:
             return False
-        with self._books.locked():
+        with self._books.asked() as now:
             self._events.tell(EventKind.DENY, denied=listed)
-            found = does([*self._conductor.goals, *self._books.stops.at_work], listed)
+            found = now is None or does([*self._conductor.goals, *self._books.stops.at_work], listed)
         if found:
             self.stop(spoken_at=spoken_at)
         self._events.flush()
@@ -347,12 +363,8 @@ class Executor:
         return self._intake.estopped
 
     def snapshot(self) -> Snapshot:
-        """How things stand."""
-        with self._books.lock:
-            now, pose = self._conductor, self._failsafe.pose()
-            return Snapshot(
-                now.running, now.queued, now.held, now.paused, self.estopped, now.closed, self.loop.written, pose
-            )
+        """How things stand; without a pose, where the robot hangs in a call."""
+        return self._parts.snapshot()
 
     # -- end ---------------------------------------------------------------------------------------------------------
 

@@ -14,16 +14,18 @@ from intent_engine.execution.raised import pass_on_interrupt, told
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.execution.runs import VelocityLoop
 
-__all__ = ["Failsafe", "reason_of"]
+__all__ = ["HANGS", "Failsafe", "reason_of"]
 
 log = logging.getLogger(__name__)
+
+HANGS = "the robot has not come back from a call: nothing but a stop is done until it has"
 
 
 class Failsafe:
     """Asks a robot and its velocity loop in ways that never raise.
 
-    It has no lock of its own: ``stop_robot`` and ``stop_past`` may be called at any time from any thread, all else
-    under the executor's.
+    It has no lock of its own: ``stop_robot``, ``stop_past`` and ``hangs`` may be called at any time from any thread,
+    all else under the executor's.
 
     Args:
         robot: what comes to rest.
@@ -96,6 +98,11 @@ class Failsafe:
         except Exception:
             log.exception("the velocity loop raised in cut()")
         self.stop_robot()
+
+    def hangs(self) -> None:
+        """A call of the robot takes too long. Whoever has the executor's lock."""
+        log.error(HANGS)
+        self._events.tell(EventKind.ERROR, detail=HANGS, reason=Reason.ROBOT_ERROR)
 
     def halt_loop(self, now: float) -> Travel | None:
         """End the motion of a robot that was stopped; how far it had come, None if the loop failed."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from intent_engine.actions import Stop
 from intent_engine.execution.admission import Admission
-from intent_engine.execution.failsafe import Failsafe
+from intent_engine.execution.failsafe import HANGS, Failsafe
 from intent_engine.execution.goal import Goal, GoalState, Reason
 from intent_engine.execution.policy import Policy
 from intent_engine.execution.progress import Progress
@@ -14,7 +15,7 @@ __all__ = ["Intake"]
 
 
 class Intake:
-    """Says why goals are refused, under the executor's lock.
+    """Says why goals are refused, under the executor's lock where it does not say otherwise.
 
     Args:
         admission: knows what the robot can and may do.
@@ -34,6 +35,27 @@ class Intake:
         self._queue_limit = queue_limit
         self.estopped = self.closed = False
         """Set from any thread, before the stop that goes with it."""
+
+    def announced(self, goals: list[Goal], now: float) -> list[Goal]:
+        """Tell of new goals. A stop that comes first has been done already, whatever may be wrong with the rest.
+
+        Returns:
+            Those that are still to be taken.
+        """
+        for goal in goals:
+            self._progress.made(goal)
+        first = goals[0]
+        if not isinstance(first.action, Stop):
+            return goals
+        for state in (GoalState.ACCEPTED, GoalState.EXECUTING):
+            self._progress.move(first, state, now)
+        self._progress.end(first, Ending(GoalState.SUCCEEDED), now)
+        return goals[1:]
+
+    def turn_away(self, goals: list[Goal], now: float) -> None:
+        """Reject goals without the lock, which a robot has that hangs in a call."""
+        for goal in self.announced(goals, now):
+            self._progress.end(goal, Ending(GoalState.REJECTED, Reason.ROBOT_ERROR, HANGS), now)
 
     def refusal(self, goal: Goal, now: float, since: object) -> Ending | None:
         """Why it is not done; ``since``: the last stop when it was asked for."""

@@ -24,6 +24,7 @@ from intent_engine.execution.progress import Progress
 from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
+from intent_engine.execution.snapshot import Snapshot
 from intent_engine.execution.waiting import Waiting
 
 __all__ = ["Parts"]
@@ -79,7 +80,7 @@ class Parts:
             books.poke,
             failsafe.stop_robot,
         )
-        progress = Progress(events, failsafe, lambda: books.ended.notify_all())
+        progress = Progress(events, failsafe, books.tell_ended)
         self.intake = Intake(self.admission, failsafe, stops, progress, queue_limit)
         self.conductor = Conductor(
             self.admission, carriers, self.loop, failsafe, events, self.intake, progress, stops, hold_limit
@@ -94,5 +95,14 @@ class Parts:
     @property
     def idle(self) -> bool:
         """Nothing is being carried out and nothing waits."""
-        with self.books.lock:
-            return self.conductor.idle
+        with self.books.asked() as now:
+            return now is not None and self.conductor.idle
+
+    def snapshot(self) -> Snapshot:
+        """How things stand. A robot that hangs is not asked where it is."""
+        with self.books.asked() as free:
+            pose = self.failsafe.pose() if free is not None else None
+            now, estopped, written = self.conductor, self.intake.estopped, self.loop.written
+            return Snapshot(
+                now.running, now.queued, now.held, now.paused, estopped, now.closed, written, pose, free is None
+            )

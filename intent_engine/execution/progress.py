@@ -20,7 +20,7 @@ log = logging.getLogger(__name__)
 
 
 class Progress:
-    """Of all goals of an executor, under its lock.
+    """Of all goals of an executor, under its lock; of those that are turned away, without it.
 
     Args:
         events: hear of everything.
@@ -34,6 +34,10 @@ class Progress:
         self._ended = ended
         self._mute: Run | None = None
         """The last one of which it was said that it tells nothing."""
+
+    def made(self, goal: Goal) -> None:
+        """There is a goal."""
+        self._events.tell(EventKind.GOAL, goal)
 
     def move(self, goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
         """A goal goes from one state to another."""

@@ -24,3 +24,5 @@ class Snapshot:
     velocity: tuple[float, float]
     """m/s and rad/s, as last written"""
     pose: Pose | None
+    hangs: bool = False
+    """The robot has not come back from a call: nothing but a stop is done until it has."""

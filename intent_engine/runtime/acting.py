@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from intent_engine.execution.executor import Executor
+from intent_engine.execution.failsafe import HANGS
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.context.references import Before
@@ -17,6 +18,7 @@ from intent_engine.needs import states_of
 from intent_engine.runtime.amending import Step
 from intent_engine.runtime.answering import Answering
 from intent_engine.runtime.continuing import Continuing, Understood
+from intent_engine.runtime.hands import Hands
 from intent_engine.runtime.heard import HeardKind, Summary, Tell
 from intent_engine.runtime.holding import Holding
 from intent_engine.runtime.judgement import Judge
@@ -33,7 +35,8 @@ class Acting:
     """Carries out what was understood. For one thread.
 
     Args:
-        executor: acts.
+        executor: is stopped, and tells whether the robot moves.
+        hands: give it what is to be done.
         judgement: what a transcript means.
         continuing: what goes on from the command before.
         holding: whether a stop word was heard while it was said.
@@ -46,6 +49,7 @@ class Acting:
     def __init__(
         self,
         executor: Executor,
+        hands: Hands,
         judgement: Judge,
         continuing: Continuing,
         holding: Holding,
@@ -56,6 +60,7 @@ class Acting:
         over: Callable[[], bool] = bool,
     ) -> None:
         self._executor = executor
+        self._hands = hands
         self._judgement = judgement
         self._continuing = continuing
         self._holding = holding
@@ -145,6 +150,9 @@ class Acting:
             return
         self._last.take(meaning)
         goals = self._submit(understood, utterance)
+        if goals is None:
+            self.failed(time, HANGS)
+            return
         self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
 
     def _answer(self, utterance: SpokenUtterance, found: Interpretation) -> Interpretation | None:
@@ -162,12 +170,15 @@ class Acting:
         self._executor.stop()
         self._tell(HeardKind.ERROR, time, detail=why)
 
-    def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...]:
+    def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...] | None:
+        """Its goals; None: the robot hangs."""
         step, spoken = understood.step, self._base + utterance.last_voice
         guards = step.guards_of(understood.meaning, self._states)
-        goals = self._executor.submit(
+        goals = self._hands.submit(
             step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends, guards=guards
         )
+        if goals is None:
+            return None
         self.summary.accepted += not step.goes_on
         self._continuing.carried_out(utterance, understood, goals)
         return tuple(goals)

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from intent_engine.execution.executor import Executor
+from intent_engine.execution.failsafe import HANGS
+from intent_engine.runtime.hands import Hands
 from intent_engine.runtime.heard import HeardKind, Tell
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.reflex import Reflex
@@ -22,13 +24,15 @@ class Holding:
 
     Args:
         reflex: hears them; None: nothing is held.
-        executor: is held and released.
+        executor: is held.
+        hands: release it.
         tell: is told of it.
     """
 
-    def __init__(self, reflex: Reflex | None, executor: Executor, tell: Tell) -> None:
+    def __init__(self, reflex: Reflex | None, executor: Executor, hands: Hands, tell: Tell) -> None:
         self._reflex = reflex
         self._executor = executor
+        self._hands = hands
         self._tell = tell
         self.on = False
         """Whether the robot is held."""
@@ -59,8 +63,11 @@ class Holding:
         """Let a robot that is held go on: no stop was said."""
         if self.on:
             self.on = False
-            self._executor.release()
-            self._tell(HeardKind.RELEASE, time, detail=why)
+            if self._hands.release():
+                self._tell(HeardKind.RELEASE, time, detail=why)
+            else:
+                self._executor.stop()
+                self._tell(HeardKind.ERROR, time, detail=HANGS)
 
     def forget(self) -> None:
         """It was stopped, or nothing is known any more of what it was held for."""

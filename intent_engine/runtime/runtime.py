@@ -17,6 +17,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.runtime.acting import Acting
 from intent_engine.runtime.continuing import Continuing
 from intent_engine.runtime.expectation import Expectation
+from intent_engine.runtime.hands import Hands
 from intent_engine.runtime.heard import Heard, HeardKind, Summary
 from intent_engine.runtime.holding import Holding
 from intent_engine.runtime.judgement import Judge
@@ -118,11 +119,13 @@ class Runtime:
         self._stepped = isinstance(executor.clock, SteppedClock)
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
-        self._holding = Holding(reflex, executor, self._tell)
+        hands = Hands(executor, stepped=self._stepped)
+        self._holding = Holding(reflex, executor, hands, self._tell)
         self._closing = threading.Event()
         self._asked = LastAsked(self._endpoint.settings.question_lasts)
         self._acting = Acting(
             executor,
+            hands,
             judge,
             self._continuing,
             self._holding,
