@@ -8,6 +8,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from intent_engine.actions import ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
@@ -351,10 +352,13 @@ class Compounds:
 
 def _of_one_speed(clause: Clause, onward: Sequence[Clause]) -> list[Clause]:
     """Commands in a row behind a pause, of which two that change the speed the same way are one: who says "you're going
-    too fast, slow down a bit" tells why. What says how much is the one."""
+    too fast, slow down a bit" tells why. What says how much is the one. Said twice and corrected ("faster, faster, no,
+    slower"), both are taken back."""
     one, other = clause.action, onward[0].action
-    if not (isinstance(one, ChangeSpeed) and isinstance(other, ChangeSpeed)) or (one.factor < 1) != (other.factor < 1):
+    if not (isinstance(one, ChangeSpeed) and isinstance(other, ChangeSpeed)):
         return [clause, *onward]
+    if (one.factor < 1) != (other.factor < 1):
+        return list(onward) if Cause.CORRECTED in onward[0].causes else [clause, *onward]
     telling = (said for said in (onward[0], clause) if said.reading is not None and said.reading.values())
     return [next(telling, clause), *onward[1:]]
 

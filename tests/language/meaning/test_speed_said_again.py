@@ -35,5 +35,8 @@ def test_it_is_one(engine_of, language: str) -> None:
     assert factors(f"{reason}, {slower} {bit}") == factors(f"{slower} {bit}, {reason}") == [0.75]
     assert factors(f"{slower}, {slower}, {slower}") == [0.5]
     assert factors(f"{slower}, {faster}") == [0.5, 1.5]
+    no = {"en": "no", "de": "nein", "fr": "non", "es": "no", "it": "no"}[language]
+    assert factors(f"{slower}, {slower}, {no}, {faster}") == [1.5], "both are taken back"
+    assert factors(f"{slower}, {faster}, {no}, {slower}") == [0.5]
     joint = {"en": "and then", "de": "und dann", "fr": "et puis", "es": "y luego", "it": "e poi"}[language]
     assert factors(f"{slower} {joint} {slower}") == [0.5, 0.5]
