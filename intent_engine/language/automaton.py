@@ -12,7 +12,6 @@ as in Laurikari, "NFAs with tagged transitions" (2000), with preference in place
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
@@ -87,7 +86,7 @@ class Automaton:
         self._is_number_word = is_number_word
         self._closed = closed_words
         self._alikes = sound_alikes or {}
-        self._lock = threading.RLock()
+        self._lock = networks.lock
         self._bottom = Stack(None, None, None)
         self._forget()
 

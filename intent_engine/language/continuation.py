@@ -6,7 +6,6 @@ on to "slowly", which changes the manner and not the way. The automaton knows wh
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterable, Mapping
 from enum import IntEnum
 
@@ -44,7 +43,7 @@ class Continuations:
         self._networks = networks
         self._kinds = kinds
         self._tails: dict[State, frozenset[Continuation]] = {}
-        self._lock = threading.Lock()
+        self._lock = networks.lock
 
     def ahead(self, ways: Iterable[tuple[State, Iterable[tuple[State, object, bool]]]]) -> frozenset[Continuation]:
         """What may be said after some words.

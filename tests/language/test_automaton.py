@@ -16,6 +16,7 @@ from intent_engine.language import automaton as automaton_module
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.networks.network import Call, Edge, Networks, State
 from intent_engine.language.reading import Reading
 from intent_engine.language.template import parse_template
 from intent_engine.language.templates.template_tree import (
@@ -336,3 +337,26 @@ def test_threads_that_walk_at_once_read_the_same() -> None:
     for thread in threads:
         thread.join()
     assert not wrong
+
+
+def test_who_comes_to_a_list_that_another_is_unfolding_finds_its_names() -> None:
+    """A program parses, while another of its threads looks ahead."""
+    networks, root = Networks(), State()
+    end = State()
+    end.final = True
+    root.edges.append(Edge(end, call=Call("names")))
+    first, second = (Automaton(networks, root, is_numeral=str.isdigit, is_number_word=str.isdigit) for _ in range(2))
+    walked: list[int] = []
+    other = threading.Thread(target=lambda: walked.append(second.walk(["ant"])[0]))
+
+    class Names:
+        def __iter__(self):
+            other.start()
+            other.join(0.1)  # without a lock it has come through by now
+            yield (("ant",), "ant")
+
+    networks.add_names("names", Names())
+    assert first.walk(["ant"])[0] == 1
+    other.join(30.0)
+    assert walked == [1]
+    assert second.walk(["ant"])[0] == 1

@@ -7,6 +7,7 @@ them. They are built when the walk first enters them: loading a grammar costs wh
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -132,9 +133,11 @@ class Network:
 
 
 class Networks:
-    """All networks of one grammar, by key, each built when first asked for. Not thread-safe: see the automaton."""
+    """All networks of one grammar, by key, each built when first asked for, and unfolded as it is gone into."""
 
     def __init__(self) -> None:
+        self.lock = threading.RLock()
+        """Of all that walk through them: who came to a place that another unfolds would find no way on, for good."""
         self._builders: dict[str, Callable[[], Network]] = {}
         self._built: dict[str, Network] = {}
 
@@ -144,7 +147,8 @@ class Networks:
     def __getitem__(self, key: str) -> Network:
         network = self._built.get(key)
         if network is None:
-            network = self._built[key] = self._builders[key]()
+            with self.lock:
+                network = self._built.get(key) or self._built.setdefault(key, self._builders[key]())
         return network
 
     def size(self) -> tuple[int, int]:
