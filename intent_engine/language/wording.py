@@ -238,6 +238,10 @@ class Wording:
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
+    wonders: tuple[tuple[str, ...], ...] = ()
+    """Words that ask whether somebody can, right behind those that request: "kannst du *eigentlich* links abbiegen"."""
+    begging: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which it stands last with a "zu": "*ich bitte dich*, den Ball aufzuheben"."""
     wished: tuple[tuple[str, ...], ...] = ()
     """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
     particles: Mapping[str, frozenset[str]] = field(default_factory=dict)

@@ -72,6 +72,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
+        "begging": "de", "wonders": "de",
         "asking": "de es fr it", "kindly": "de es fr it", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "puts": "en", "brings": "en",
@@ -99,7 +100,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.
         "dating": "en", "where": "en", "days": "en", "repeating": "en",
-        "definite": "de en", "itself": "de en", "manner": "de en", "manners": "en", "measures": "de en",
+        "definite": "de en", "itself": "de en", "manner": "de en", "manners": "de en", "measures": "de en",
         "not_bare": "de en", "not_held": "de en", "pronouns": "de en",
         "describing": "en", "solid": "en",
     },

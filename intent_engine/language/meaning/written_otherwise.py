@@ -39,6 +39,7 @@ from intent_engine.language.meaning.wordings.verb_again import VerbAgain
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verb_second import VerbSecond
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
+from intent_engine.language.meaning.wordings.wished_forms import WishedForms
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
@@ -47,7 +48,6 @@ from intent_engine.language.words.owners import owners
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unit_symbols import UnitSymbols
-from intent_engine.language.words.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
 
@@ -92,6 +92,7 @@ class WrittenOtherwise:
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._pronoun = PronounBehind(phrases, commands)
         self._wishing, self._kindly = PhraseSet(wording.wishing), PhraseSet(wording.kindly)
+        self._wished = WishedForms(self._matcher.grammar)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
@@ -243,11 +244,7 @@ class WrittenOtherwise:
         grammar = self._matcher.grammar
         if len(asked) < LEAST_WORDS:
             return None
-        ways = [asked]
-        wish = said.words[: self._wishing.at(said.words, 0)]
-        if wish and wish[-1] not in grammar.wording.asked:  # the verb of "dass Sie" is an infinitive
-            *before, last = asked.words
-            ways = [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, grammar)]
+        ways = self._wished.ways(said, asked)
         found: dict[tuple[Action | None, ...], Clause] = {}
         for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
             clause = self._commands.exact(told.words, state, breaks=told.breaks)

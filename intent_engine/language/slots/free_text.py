@@ -58,7 +58,7 @@ class FreeText:
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         self._whither = words.joining.intersection(words.contracted)
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
-        self._unfinished_things = words.unfinished | words.joining | words.not_bare
+        self._unfinished_things = words.unfinished.union(words.joining, words.not_bare, grammar.wording.parted)
         self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
         english = grammar.language == "en"
         self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()

@@ -13,6 +13,7 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Questions"]
@@ -29,6 +30,7 @@ class Questions:
         self._commands = commands
         known, requests = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording.requests
         verb_last = bool(commands.matcher.grammar.wording.parted)
+        self._wonders = PhraseSet(commands.matcher.grammar.wording.wonders)
         self._before_things = (known.articles | known.joining) - requests if verb_last else frozenset[str]()
         """Words with which an order in the infinitive begins, whose verb stands last."""
 
@@ -46,6 +48,14 @@ class Questions:
             or self._asks_at_last(said, parts)
             or any(map(self._asks_whether, parts))
         )
+
+    def wonders_whether(self, said: Utterance) -> bool:
+        """Whether words ask whether somebody can: "kannst du eigentlich links abbiegen", which a recogniser may write
+        without its mark. Behind a pause such a word corrects: "kannst du, eigentlich lieber rechts abbiegen"."""
+        found = self._wonders.find(said.words)
+        if found is None or not self._phrases.requests(said.words[: found[0]]):
+            return False
+        return self._phrases.after_opening(said.words) >= sum(found) and True not in said.breaks[1 : found[0] + 1]
 
     def _requests(self, said: Utterance) -> bool:
         """Whether words ask for what follows in one breath: "could you climb a bit?", but not "can you, right?"."""

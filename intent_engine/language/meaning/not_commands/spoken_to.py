@@ -15,8 +15,10 @@ _NAME = re.compile(
     r"(?:^|\s)[^\sA-Z]\S*[,;]\s+([A-Z][a-z][\w'’-]*(?:\.?\s[A-Z][\w'’-]*)?)(?=(?:,?\s+please)?\s*(?:[,;.!?]|$))"
 )
 """A name between two pauses, or behind one at the end, with its capital, and no capital before that pause."""
+_LAST_WORD = re.compile(r"[^\s,;][,;]\s+([^\W\d_][\w'’-]*)(?=(?:,?\s+bitte)?\s*[.!?]*\s*$)")
+"""A word behind a pause at the end, however it is written."""
 _CAPITAL_NOUNS = frozenset(("de",))
-"""Languages that write a capital in every noun."""
+"""Languages that write a capital in every noun: there only one word behind the pause may be a name, and any may."""
 
 
 def spoken_to(text: str, parts: Sequence[Clause], values: SlotValues, language: str) -> str:
@@ -28,7 +30,7 @@ def spoken_to(text: str, parts: Sequence[Clause], values: SlotValues, language: 
         values: of their slots.
         language: of the text.
     """
-    if language in _CAPITAL_NOUNS or not any(mark in text for mark in ",;"):
+    if not any(mark in text for mark in ",;"):
         return ""
     readings = [part.reading for part in parts if part.reading is not None]
     things = [
@@ -37,7 +39,8 @@ def spoken_to(text: str, parts: Sequence[Clause], values: SlotValues, language: 
         for slot in reading.slots
         if values.is_thing(slot.slot) and not slot.slot.dictation
     ]
-    for name in _NAME.findall(text) if things else ():
+    names = _LAST_WORD if language in _CAPITAL_NOUNS else _NAME
+    for name in names.findall(text) if things else ():
         words = Utterance.of(name, language).words
         for known, said in things:
             # Of "Mrs. Miller" the title may be written in full.

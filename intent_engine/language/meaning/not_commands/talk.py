@@ -46,6 +46,7 @@ class Talk:
         self._at_times = PhraseSet(grammar.wording.at_times)
         self._fillers = phrases.fillers
         self._commands = commands
+        self._thanking, self._once_more = PhraseSet(grammar.wording.thanking), PhraseSet(grammar.wording.once_more)
         self._ways = frozenset(way for said in grammar.wording.sides for way in said.split("/"))
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
@@ -63,6 +64,10 @@ class Talk:
             return "a question, and not one to do something"
         if not found.actions:
             return ""
+        if self._thanks_once_more(said):
+            return "somebody is thanked once more; say what is to be done again"
+        if not found.stops and self._questions.wonders_whether(said):
+            return "a question whether it can be done"
         if not found.stops and (asked := asked_within(text, parts, self._language)):
             return f"{asked!r} is asked; say it without the question mark"
         if saying := self._sayings.within(said, parts):
@@ -80,6 +85,18 @@ class Talk:
         if name := spoken_to(text, parts, self._values, self._language):
             return f"{name!r} after a pause may be who is spoken to; say the command without it"
         return ""
+
+    def _thanks_once_more(self, said: Utterance) -> bool:
+        """Whether nothing is said but thanks and, in one breath, that it is once more: "thanks again". Behind a pause
+        they are for what is to be done again: "again, thanks"."""
+        found = self._thanking.find(said.words)
+        if found is None:
+            return False
+        start, end = found[0], sum(found)
+        begin = start - (self._once_more.ends(said.words[:start]) if said.breaks[start : start + 1] != [True] else 0)
+        stop = end + (self._once_more.at(said.words, end) if said.breaks[end : end + 1] != [True] else 0)
+        rest = [*said.words[:begin], *said.words[stop:]]
+        return (begin, stop) != (start, end) and (not rest or self._fillers.cover(rest))
 
     def _of_somebody(self, text: str, parts: Sequence[Clause]) -> str:
         """A shortened word that is another without its apostrophe and was left out as such: "we'll" of "we'll lock the

@@ -47,12 +47,15 @@ class NumbersInPieces:
         )
 
     def _are_two(self, core: Utterance, place: int, said: Utterance) -> bool:
-        """Whether the numbers around a place are no number together, and no thinking divides them."""
-        if self._digits or self._hesitation.find(said.words) is not None:
-            return False
+        """Whether the numbers around a place are no number together, and no thinking divides them. What joins the parts
+        of a number begins none: "und, äh, zwei Meter"."""
         start, end = place, place + 1
         while start > 0 and self._is_number(core.words[start - 1]):
             start -= 1
+        if all(evaluate([word], "number", self._language) is None for word in core.words[start:place]):
+            return True
+        if self._digits or self._hesitation.find(said.words) is not None:
+            return False
         while end < len(core) and self._is_number(core.words[end]):
             end += 1
         return evaluate(core.words[start:end], "number", self._language) is None
