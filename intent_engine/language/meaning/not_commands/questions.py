@@ -30,7 +30,8 @@ class Questions:
         self._commands = commands
         known, requests = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording.requests
         verb_last = bool(commands.matcher.grammar.wording.parted)
-        self._wonders = PhraseSet(commands.matcher.grammar.wording.wonders)
+        wording = commands.matcher.grammar.wording
+        self._wonders, self._begging = PhraseSet(wording.wonders), PhraseSet(wording.begging)
         self._before_things = (known.articles | known.joining) - requests if verb_last else frozenset[str]()
         """Words with which an order in the infinitive begins, whose verb stands last."""
 
@@ -58,9 +59,11 @@ class Questions:
         return self._phrases.after_opening(said.words) >= sum(found) and True not in said.breaks[1 : found[0] + 1]
 
     def _requests(self, said: Utterance) -> bool:
-        """Whether words ask for what follows in one breath: "could you climb a bit?", but not "can you, right?"."""
+        """Whether words ask for what follows in one breath: "could you climb a bit?", but not "can you, right?". Behind
+        what begs a comma is only written: "darf ich dich bitten, dich umzudrehen?"."""
         begins = self._phrases.after_opening(said.words)
-        return self._phrases.requests(said.words) and not any(said.breaks[begins : begins + 1])
+        paused = any(said.breaks[begins : begins + 1]) and not self._begging.at(said.words, 0)
+        return self._phrases.requests(said.words) and not paused
 
     def _lists_only(self, parts: Collection[Clause]) -> bool:
         """Whether something is told to be done, and no word of it is a verb that tells it: "right", "two meters

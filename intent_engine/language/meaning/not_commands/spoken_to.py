@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.slots.slot_values import SlotValues
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["spoken_to"]
 
@@ -15,8 +16,8 @@ _NAME = re.compile(
     r"(?:^|\s)[^\sA-Z]\S*[,;]\s+([A-Z][a-z][\w'’-]*(?:\.?\s[A-Z][\w'’-]*)?)(?=(?:,?\s+please)?\s*(?:[,;.!?]|$))"
 )
 """A name between two pauses, or behind one at the end, with its capital, and no capital before that pause."""
-_LAST_WORD = re.compile(r"[^\s,;][,;]\s+([^\W\d_][\w'’-]*)(?=(?:,?\s+bitte)?\s*[.!?]*\s*$)")
-"""A word behind a pause at the end, however it is written."""
+_LAST_WORD = re.compile(r"(\S+)[,;]\s+([^\W\d_][\w'’-]*)(?=(?:,?\s+bitte)?\s*[.!?]*\s*$)")
+"""A word behind a pause at the end, however it is written, and the one before."""
 _CAPITAL_NOUNS = frozenset(("de",))
 """Languages that write a capital in every noun: there only one word behind the pause may be a name, and any may."""
 
@@ -39,11 +40,21 @@ def spoken_to(text: str, parts: Sequence[Clause], values: SlotValues, language: 
         for slot in reading.slots
         if values.is_thing(slot.slot) and not slot.slot.dictation
     ]
-    names = _LAST_WORD if language in _CAPITAL_NOUNS else _NAME
-    for name in names.findall(text) if things else ():
+    found = _last_word(text, language) if language in _CAPITAL_NOUNS else _NAME.findall(text)
+    for name in found if things else ():
         words = Utterance.of(name, language).words
         for known, said in things:
             # Of "Mrs. Miller" the title may be written in full.
             if len(said) > len(words) and said[-1:] == tuple(words[-1:]) and not known.issuperset(words):
                 return str(name)
     return ""
+
+
+def _last_word(text: str, language: str) -> list[str]:
+    """The word behind a pause at the end of a text, unless the noun is still to come before it: "die kleine, Tasse"."""
+    found = _LAST_WORD.search(text)
+    if found is None:
+        return []
+    before, last = found.groups()
+    describes = before.lower() in thing_words(language).qualities or (before[0].islower() and last[0].isupper())
+    return [] if describes else [last]

@@ -35,7 +35,7 @@ class WishedForms:
         if wish and wish[-1] not in self._grammar.wording.asked:  # the verb of "dass Sie" is an infinitive
             return [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, self._grammar)]
         begs = self._begging.at(said.words, 0) > 0
-        return [*self._without_to(asked), asked] if begs else [asked]
+        return [*self._without_to(asked)] or [asked] if begs else [asked]
 
     def _without_to(self, asked: Utterance) -> Iterator[Utterance]:
         """What is begged for without its "zu"."""
