@@ -25,6 +25,7 @@ def engine() -> IntentEngine:
         ("Darf ich dich bitten, dich umzudrehen?", "turn", {"side": "left", "angle": radians(180)}),
         ("Steuere die Ladestation an", "navigate", {"place": "ladestation"}),
         ("Führ mich in die Küche", "navigate", {"place": "küche"}),
+        ("Bitte umdrehen", "turn", {"side": "left", "angle": radians(180)}),
         ("Komm ein Stück näher", "come", {}),
         ("Hol die Milch raus", "pick", {"thing": "milch"}),
         ("Nimm die Tasse vom Tisch in der Küche", "pick", {"thing": "tasse", "source": "tisch in der küche"}),
@@ -61,6 +62,8 @@ def test_it_is_done(engine: IntentEngine, said: str, intent: str, slots: dict[st
         "Er wartet auf mich in der Küche",
         "Es geht langsam vorwärts",
         "Nochmals vielen Dank",
+        "Losfahren?",
+        "Umdrehen?",
     ],
 )
 def test_it_is_nothing(engine: IntentEngine, said: str) -> None:

@@ -28,12 +28,13 @@ class Questions:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         self._phrases = phrases
         self._commands = commands
-        known, requests = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording.requests
-        verb_last = bool(commands.matcher.grammar.wording.parted)
-        wording = commands.matcher.grammar.wording
+        known, wording = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording
         self._wonders, self._begging = PhraseSet(wording.wonders), PhraseSet(wording.begging)
-        self._before_things = (known.articles | known.joining) - requests if verb_last else frozenset[str]()
-        """Words with which an order in the infinitive begins, whose verb stands last."""
+        before_things = (known.articles | known.joining) - wording.requests
+        self._before_things = before_things if wording.parted else frozenset[str]()
+        """Words with which an order in the infinitive begins, whose verb stands last,"""
+        self._parted = wording.parted
+        """and what begins such a verb that is all of one."""
 
     def asks(self, text: str, said: Utterance, parts: Sequence[Clause], *, spoken: bool) -> bool:
         """Whether a text is a question, and not one to do something.
@@ -75,7 +76,9 @@ class Questions:
         """Whether a command begins with the verb that tells it. A stop is heard all the same."""
         if part.reading is None or not self._commands.opens_with_a_verb(part.reading):
             return False
-        return part.reading.words[0] not in self._before_things or isinstance(part.action, Stop)
+        first = part.reading.words[0]
+        infinitive = first.endswith("n") and first.startswith(self._parted)  # "losfahren?"
+        return not (infinitive or first in self._before_things) or isinstance(part.action, Stop)
 
     def _asks_whether(self, part: Clause) -> bool:
         """Whether a command is a question in the same words, which nothing but its mark tells: "gehen Sie zur Tür?". A
