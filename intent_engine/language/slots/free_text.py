@@ -58,7 +58,9 @@ class FreeText:
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         self._whither = words.joining.intersection(words.contracted)
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
-        self._unfinished_things = words.unfinished.union(words.joining, words.not_bare, grammar.wording.parted)
+        self._unfinished_things = words.unfinished | words.joining | words.not_bare
+        self._parted = frozenset(grammar.wording.parted)
+        """Words that belong to a verb and stand last: "hol die Tasse *raus*"."""
         self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
         english = grammar.language == "en"
         self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()
@@ -211,6 +213,8 @@ class FreeText:
             return never
         if 0 < (again := self._once_more.ends(said)) < len(said):
             return frozenset((" ".join(said[-again:]),))
+        if len(said) > 1 and said[-1] in self._parted and not _meant(slot, said[-1]):
+            return frozenset((said[-1],))
         bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some
         if bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
