@@ -55,6 +55,6 @@ def _last_word(text: str, language: str) -> list[str]:
     found = _LAST_WORD.search(text)
     if found is None:
         return []
-    before, last = found.groups()
-    describes = before.lower() in thing_words(language).qualities or (before[0].islower() and last[0].isupper())
-    return [] if describes else [last]
+    (before, last), known = found.groups(), thing_words(language)
+    describes = before.lower() in known.qualities or (before[0].islower() and last[0].isupper())
+    return [] if describes and before not in known.joining else [last]
