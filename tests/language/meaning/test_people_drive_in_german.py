@@ -65,6 +65,7 @@ def test_it_is_done(engine: IntentEngine, said: str, intent: str, slots: dict[st
         "Er wartet auf mich in der Küche",
         "Es geht langsam vorwärts",
         "Nochmals vielen Dank",
+        "Nein, anders rum die",
         "Losfahren?",
         "Umdrehen?",
     ],

@@ -89,8 +89,8 @@ class Corrections:
         if found is not None or self._definite.isdisjoint(part.words) or not self._correction.may_stand_in(part.words):
             return found
         pieces = list(self._split(part))
-        if pieces and self._definite.issuperset(pieces[-1][0].words):
-            return None  # "to the kitchen, no, the": what was to follow was not said
+        if pieces and pieces[-1][0].words[-1:] and pieces[-1][0].words[-1] in self._definite:
+            return None  # "to the kitchen, no, the", "no, the other way the": what was to follow was not said
         less = _without(part, self._definite)
         bare = self._corrected(less, state, before)
         if bare is None or not bare.accepted or bare.reading is None:
