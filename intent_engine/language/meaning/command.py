@@ -9,6 +9,7 @@ from intent_engine.actions import Action, Stop
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
+from intent_engine.language.meaning.free_words_kept import FreeWordsKept
 from intent_engine.language.meaning.not_commands.share_of_a_turn import share_of_a_turn
 from intent_engine.language.meaning.not_commands.sign_and_side import sign_and_side
 from intent_engine.language.meaning.problems import far_off, problem_rank, tells_what
@@ -19,7 +20,7 @@ from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds
-from intent_engine.language.slots.adjacent_numbers import cuts_digits, number_said_apart
+from intent_engine.language.slots.adjacent_numbers import cuts_digits, is_number, number_said_apart
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.words.thing_words import ARTICLES, thing_words
 from intent_engine.language.words.verb_forms import told_forms_of
@@ -31,7 +32,9 @@ _STEM = 3
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
 _NAME_OR_WAY = "{!r} may be a thing, or {!r} say where it goes; say it without"
-_NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
+_NUMBER_OF_A_PLACE = "{!r} is no part of a name, since the grammar has a place for it; say it as the grammar has it"
+_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
+_OF_A_PLACE = "{!r} is no part of a name, since the grammar has a place for it; say it as the grammar has it"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
 
@@ -43,7 +46,7 @@ class Commands:
         self._patterns = Patterns(matcher.grammar)
         self._whose_place = WhosePlace(matcher)
         self._ways_on = WaysOn(matcher.grammar)
-        self._plurals = Plurals(matcher.grammar, lambda: self.first_words)
+        self._free = FreeWordsKept(matcher, Plurals(matcher.grammar, lambda: self.first_words))
         known = thing_words(matcher.grammar.language)
         self.not_verbs = ARTICLES | known.articles | known.alone
         """Words that are no verb of a command, though one may begin with them."""
@@ -62,8 +65,12 @@ class Commands:
         free = readings and readings[0].free_words and not after
         if free and (clause := self._without_way(readings[0], state, breaks)) is not None:
             return clause
-        if readings and readings[0].free_words and (counted := self._counted(words, readings[0], after)):
-            readings = counted
+        if readings and readings[0].free_words:
+            counted = self._free.counted(words, readings[0], lambda said: self.readings(said, after))
+            readings = counted or [reading for reading in readings if not self._free.points(reading)]
+        if readings and readings[0].free_words > 1 and (kept := self._free.place_of(readings[0])):
+            name = " ".join(kept)
+            return Clause(readings[0], reason=_OF_A_PLACE.format(name), at_fault=(name,))
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
         if readings and (number := self._number_said_apart(readings[0], breaks)):
@@ -94,14 +101,6 @@ class Commands:
         """All ways to understand words as a sentence or a pattern, the best first; ``after`` as in :meth:`exact`."""
         readings = self.matcher.read(words, after=after)
         return [*readings, *self._patterns.read(words, self.matcher)] if self._patterns and not after else readings
-
-    def _counted(self, words: list[str], free: Reading, after: str) -> list[Reading]:
-        """Readings that leave fewer words to free text, of what is said with more of what a list names, or one: who
-        says "bring two towels" where a sentence counts each "towel" means no thing called "two towels"."""
-        counted = self._plurals.counted(words)
-        readings = self.readings(counted, after) if counted is not None else []
-        better = [one for one in readings if one.free_words < free.free_words and one.understood]
-        return better if better and better[0].intent.priority >= free.intent.priority else []
 
     def likeliest(self, words: list[str], after: str = "") -> Reading | None:
         """What words that are corrected, or correct, are a sentence of, also with a number beyond its limits; ``after``
@@ -154,8 +153,9 @@ class Commands:
 
     @cached_property
     def verbs(self) -> frozenset[str]:
-        """Those with which one may begin, and which may be verbs."""
-        return self.first_words - self.not_verbs
+        """Those with which one may begin, and which may be verbs; "ninety" of "ninety first gear" is none."""
+        language = self.matcher.grammar.language
+        return frozenset(word for word in self.first_words - self.not_verbs if not is_number(word, language))
 
     def may_begin_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any word could be the verb of a command."""
@@ -240,7 +240,11 @@ class Commands:
         ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
-        readings = [one for one in readings if not one.free_words or self._ways_on.behind_a_name(one) is None]
+        readings = [
+            one
+            for one in readings
+            if not one.free_words or (self._ways_on.behind_a_name(one) is None and not self._free.points(one))
+        ]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         readings = [one for one in readings if not cuts_digits(words, one, self.matcher.grammar.language)]
         if not self._telling.isdisjoint(words):

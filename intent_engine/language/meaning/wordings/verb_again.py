@@ -1,22 +1,24 @@
-"""A verb that is said once of things with which different things are done: "mach die Jalousie auf und das Licht aus" of
-a grammar that has a command for each. What one command does with several things is another matter: see
+"""A verb that is said once of things with which different things are done: "mach die Jalousie auf und das Licht aus" and
+"heat the nozzle to 210 degrees and the bed to 60 degrees" of a grammar that has a command for each. What one command does with several things is another matter: see
 :mod:`~intent_engine.language.meaning.several.shared_verb`."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from itertools import pairwise
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
+from intent_engine.language.templates.template_tree import references
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["VerbAgain"]
 
 _LEAST = 3
-"""Words of what is told without its verb: "das Licht aus"."""
+"""Words of what is told without its verb: "das Licht aus","""
+_LEAST_WITH_ITS_ARTICLE = 2
+"""and where nouns have no cases, of which a verb behind them would be said: "the lid"."""
 
 
 class VerbAgain:
@@ -28,8 +30,11 @@ class VerbAgain:
     """
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+        known = thing_words(grammar.language)
         # Where nouns have cases, what something is done to is no one who does it.
-        self._articles = thing_words(grammar.language).done_to
+        self._has_cases = bool(known.done_to)
+        self._articles = known.done_to or known.definite
+        self._least = _LEAST if self._has_cases else _LEAST_WITH_ITS_ARTICLE
         self._sequence = phrases.sequence
 
     def said_anew(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
@@ -41,17 +46,28 @@ class VerbAgain:
         """
         if not self._articles or core.words[0] not in verbs or not self._sequence.may_stand_in(core.words):
             return None
-        if any(core.breaks[1:]):
+        joins = {at: self._sequence.at(core.words, at) for at in range(_LEAST, len(core) - self._least)}
+        if any(pause and not joins.get(at) for at, pause in enumerate(core.breaks[1:], 1)):
             return None
-        joins = {at: self._sequence.at(core.words, at) for at in range(_LEAST, len(core) - _LEAST)}
         places = {at + length for at, length in joins.items() if length}  # "und dann" is one joint
         said = core
         for at in sorted(places, reverse=True):
-            if len(core) - at >= _LEAST and core.words[at] in self._articles:
+            if len(core) - at >= self._least and core.words[at] in self._articles:
                 said = said.with_other(at, at, Utterance.in_one_breath([core.words[0]]))
         return said if said.words != core.words else None
 
     def means(self, readings: Sequence[Reading]) -> bool:
-        """Whether these are different commands about things that are listed: "hol die Tasse und den Teller rein"."""
-        differ = all(one.intent.name != other.intent.name for one, other in pairwise(readings))
-        return len(readings) > 1 and differ and not any(reading.free_words for reading in readings)
+        """Whether these are different commands about things that are listed: "hol die Tasse und den Teller rein". What
+        the first says besides may be of the other as well, where that may have it and does not say it: "close the door
+        in the hall and the window"."""
+        if len(readings) < 2 or any(reading.free_words for reading in readings):
+            return False
+        return all(map(self._differ, readings, readings[1:]))
+
+    def _differ(self, one: Reading, other: Reading) -> bool:
+        differ = one.intent.name != other.intent.name
+        if self._has_cases:
+            return differ
+        said, anew = one.values().keys(), other.values().keys()
+        may_say = {reference.label for reference in references(other.sentence.template)}
+        return (differ or said != anew) and may_say.isdisjoint(said - anew)
