@@ -32,8 +32,7 @@ _STEM = 3
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
 _NAME_OR_WAY = "{!r} may be a thing, or {!r} say where it goes; say it without"
-_NUMBER_OF_A_PLACE = "{!r} is no part of a name, since the grammar has a place for it; say it as the grammar has it"
-_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
+_NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
 _OF_A_PLACE = "{!r} is no part of a name, since the grammar has a place for it; say it as the grammar has it"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 

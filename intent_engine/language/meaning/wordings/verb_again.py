@@ -1,5 +1,6 @@
-"""A verb that is said once of things with which different things are done: "mach die Jalousie auf und das Licht aus" and
-"heat the nozzle to 210 degrees and the bed to 60 degrees" of a grammar that has a command for each. What one command does with several things is another matter: see
+"""A verb that is said once of things with which different things are done: "mach die Jalousie auf und das Licht aus"
+and "heat the nozzle to 210 degrees and the bed to 60 degrees" of a grammar that has a command for each. What one
+command does with several things is another matter: see
 :mod:`~intent_engine.language.meaning.several.shared_verb`."""
 
 from __future__ import annotations
