@@ -20,6 +20,8 @@ class Wording:
     """Fillers behind which something may be said anew: "left, uh, right"."""
     at_first: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind the first of several commands: "close the door *first*, then start"."""
+    for_each: tuple[tuple[str, ...], ...] = ()
+    """What says behind a list that the rest holds for each: "for ten minutes *each*"."""
     leads: frozenset[str] = frozenset()
     """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
     says_when: frozenset[str] = frozenset()
@@ -94,6 +96,8 @@ class Wording:
     """Pronouns for more than one thing: "them"."""
     there: tuple[tuple[str, ...], ...] = ()
     """What points to the place that the command before names, with its last word: "from *there*"."""
+    there_at_last: tuple[tuple[str, ...], ...] = ()
+    """What says behind a whole command that it is done where the one before it went: "drop it *there*"."""
     of_persons: frozenset[str] = frozenset()
     """Pronouns for somebody who was named before, in the same utterance: "focus on the actor and follow *him*"."""
     denying: frozenset[str] = frozenset()
@@ -200,6 +204,8 @@ class Wording:
     """Prepositions of where something is put, before which the way back says no more: "put it *back* on the shelf"."""
     ways_to: frozenset[str] = frozenset()
     """Prepositions of where a way goes."""
+    places_alone: frozenset[str] = frozenset()
+    """Places that need none of them: "take me *home*"."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()

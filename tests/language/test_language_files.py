@@ -75,18 +75,18 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "begging": "de", "wonders": "de",
         "asking": "de es fr it", "kindly": "de es fr it", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
-        "puts": "en", "brings": "en",
+        "puts": "en", "brings": "en", "places_alone": "en",
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "takes_along": "en", "switched": "de en", "led_by": "de en fr it",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en",
-        "there": "en", "others": "en", "other_people": "en", "seeks": "en",
+        "there": "en", "there_at_last": "en", "others": "en", "other_people": "en", "seeks": "en",
         "tells_of_whom": "en", "thinks": "en", "somewhat": "en",
         "tells_fully": "de es fr it", "tells_who": "de es fr it", "tells_alone": "es fr it",
         "perceives_none": "de es fr it",
         "why_apart": "es it", "joined_short": "it", "tells_can": "de",
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
-        "vaguely": "de es fr it", "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",
+        "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",
         "joined_first": "it", "of_persons": "en",  # elsewhere they are those for things as well
         "particles": "en", "idle_particles": "de en",
         "placed": "de es",  # elsewhere the same words say where something is to go

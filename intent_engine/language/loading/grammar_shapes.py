@@ -79,8 +79,9 @@ class Shapes:
                         counts[label] = count + counts.get(label, 0)
                 return counts
             case Reference(name, label):
-                if name not in self._grammar.phrases:
-                    return {label: 1}
+                slots = self._grammar.slots
+                if name not in self._grammar.phrases:  # {far:distance} is told to be the other way round
+                    return {name if name not in slots and label in slots else label: 1}
                 if name not in self._labels:
                     self._labels[name] = self.labels(self._grammar.phrases[name])
                 return self._labels[name]

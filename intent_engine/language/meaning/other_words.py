@@ -20,6 +20,7 @@ from intent_engine.language.meaning.wordings.nouns_with_of import NounsWithOf
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.places_alone import PlacesAlone
 from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
@@ -69,6 +70,7 @@ class OtherWords:
             Sides(grammar, own).ways,
             UpTo(grammar).ways,
             LedAmounts(grammar, own).ways,
+            PlacesAlone(grammar).ways,
         )
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)

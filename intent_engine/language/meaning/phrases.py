@@ -86,6 +86,7 @@ class Phrases:
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
+        self._own_openers = own.intersection(words[0] for words in operators.opener)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
         self._alone = cache(lambda word: lists is not None and lists([word]))
         """Whether a word is a command by itself."""
@@ -266,8 +267,9 @@ class Phrases:
         return self._opening.after(words, 0)
 
     def goes_on_at(self, words: Sequence[str], at: int) -> bool:
-        """Whether what only goes on stands at a place, and not how what follows is counted: "for the *next* hour"."""
-        return self.goes_on(words[at:]) > 0 and words[at - 1] not in self._articles
+        """Whether what only goes on stands at a place, and not how what follows is counted: "for the *next* hour"; nor
+        a word of the grammar: "in *well* 7"."""
+        return not (words[at - 1] in self._articles or words[at] in self._own_openers) and self.goes_on(words[at:]) > 0
 
     def agreed(self, said: Utterance) -> int:
         """How many words at the beginning only agree with what was said before, or praise it, and stand before a pause:

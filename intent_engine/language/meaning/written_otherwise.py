@@ -21,6 +21,7 @@ from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVer
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.given_to import GivenTo
+from intent_engine.language.meaning.wordings.how_often import HowOften
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.named_again import NamedAgain
@@ -34,6 +35,7 @@ from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.meaning.wordings.reasons import Reasons
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
+from intent_engine.language.meaning.wordings.shared_nouns import SharedNouns
 from intent_engine.language.meaning.wordings.taken_up import TakenUp
 from intent_engine.language.meaning.wordings.verb_again import VerbAgain
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
@@ -98,10 +100,12 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
-        self._numbers = (*NUMBERS, OneOfIt(commands).rule, *GivenTo(commands).rules)
+        often = HowOften(self._matcher.grammar, phrases)
+        self._numbers = (*NUMBERS, OneOfIt(commands).rule, often.rule, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
+        self._shared_nouns = SharedNouns(self._matcher.grammar, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
@@ -120,8 +124,7 @@ class WrittenOtherwise:
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
         for other in self._with_other_verbs(text, core):
-            if written is None:
-                written = self._understood_as(text, core, other, state)
+            written = written or self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
@@ -143,11 +146,8 @@ class WrittenOtherwise:
                     written = None
         rules = (self._of_listed_things, self._done_to_itself, self._with_its_verb_again, self._without_ways_on)
         for rule in (*rules, self._counted_otherwise, self._for_each, self._named_again):
-            if written is None:
-                written = rule(text, core, state)
-        if written is not None:
-            return written
-        return self._understood_as(text, core, self._other_words.told(core, state, asks="?" in text), state)
+            written = written or rule(text, core, state)
+        return written or self._understood_as(text, core, self._other_words.told(core, state, asks="?" in text), state)
 
     def or_asked(self, text: str, core: Utterance, state: Collection[str], asks: Clause) -> Understood:
         """What is asked back, unless that is only what the verb of a command is, and another form of one of the verbs
@@ -242,7 +242,7 @@ class WrittenOtherwise:
     def _told(self, text: str, said: Utterance, asked: Utterance, state: Collection[str]) -> Understood | None:
         """The order that is asked for, with its verb first; None: it is none, or could be two."""
         grammar = self._matcher.grammar
-        if len(asked) < LEAST_WORDS:
+        if len(asked) < (1 if self._begs(said) else LEAST_WORDS):  # "hupen bitte"
             return None
         ways = self._wished.ways(said, asked)
         found: dict[tuple[Action | None, ...], Clause] = {}
@@ -328,7 +328,7 @@ class WrittenOtherwise:
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
         found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
-        return found if found is not None and self._verb_again.means(readings_of(found)) else None
+        return found if self._verb_again.means(readings_of(found)) else None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
@@ -368,6 +368,10 @@ class WrittenOtherwise:
         """ "Switch on the lamps in the kitchen and the hall" of a grammar that has "the lamp": one command for each."""
         if not self._phrases.sequence.may_stand_in(core.words):
             return None
+        for way, noun in self._shared_nouns.ways(core, self._commands.verbs):  # "the left and right armrest"
+            found = self._understood_as(text, core, way, state)
+            if self._shared_nouns.means(readings_of(found), noun):
+                return found
         other = self._plurals.one_of_each(core)
         found = self._understood_as(text, core, other, state)
         if found is None or other is None or not is_a_list(found[0]):

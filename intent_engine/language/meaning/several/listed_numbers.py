@@ -14,6 +14,7 @@ from functools import cached_property
 
 from intent_engine.actions import Custom
 from intent_engine.language.context.done_again import AGAIN
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -58,7 +59,7 @@ class ListedNumbers:
         grammar = commands.matcher.grammar
         self._language = grammar.language
         self._has_names = any(slot.type == "number" and not slot.units for slot in grammar.slots.values())
-        table = units(grammar.language)
+        self._units = table = units(grammar.language)
         words = table.words if table is not None else {}
         self._and = words.get("and", frozenset[str]())
         self._ones_first = words.get("ones_first", frozenset[str]())
@@ -66,12 +67,14 @@ class ListedNumbers:
         operators, wording = grammar.operators, grammar.wording
         turning = (*operators.negation, *operators.contrast)
         self._turns = wording.leaves_open.union(words[0] for words in turning if len(words) == 1)
-        self._joining = known.joining | known.binding | known.within
+        self._joining, self._scales = known.joining | known.binding | known.within, known.scales
         self._no_noun = self._joining | known.articles | known.alone | known.scales | operators.closed
         self._follows = self._joining | known.alone | known.where | frozenset(wording.parted)
         self._articles, self._definite, self._plurals = known.articles, known.definite, known.plurals
 
-    def each(self, part: Utterance, state: Collection[str], after: str = "") -> list[Clause] | None:
+    def each(
+        self, part: Utterance, state: Collection[str], after: str = "", *, of_each: bool = False
+    ) -> list[Clause] | None:
         """The commands, one for each number of a list; or the one clause that is not accepted, where one of them cannot
         be done, or what follows the list may be meant otherwise than for each. None: there is no list.
 
@@ -79,6 +82,7 @@ class ListedNumbers:
             part: of an utterance, with where words were removed in it.
             state: of the robot.
             after: the intent that it goes on from; empty: it is a command by itself.
+            of_each: whether it was said that what follows is of each.
         """
         words = part.words
         if not self._has_names or sum(map(self._is_number, words)) < 2 or not self._turns.isdisjoint(words):
@@ -87,7 +91,7 @@ class ListedNumbers:
             if self._is_number(part.words[place]) and not self._is_number(part.words[place - 1]):
                 listed = self._listed(part, place)
                 if listed is not None:
-                    return self._commanded(part, listed, state, after)
+                    return self._commanded(part, listed, state, after, of_each=of_each)
         return None
 
     def _is_number(self, word: str) -> bool:
@@ -189,13 +193,16 @@ class ListedNumbers:
 
     # -- what is commanded ------------------------------------------------------------------------------------
 
-    def _commanded(self, part: Utterance, listed: _Listed, state: Collection[str], after: str) -> list[Clause] | None:
+    def _commanded(
+        self, part: Utterance, listed: _Listed, state: Collection[str], after: str, *, of_each: bool
+    ) -> list[Clause] | None:
         """The commands of a list, or the clause that asks."""
         for before in self._ways_before(part, listed.start):
-            first = self._clause(part, before, listed, 0, state, after)
+            first = self._clause(part, before, listed, 0, state, after, of_each=of_each)
             if first is None:
                 continue
-            rest = [self._clause(part, before, listed, at, state, after) for at in range(1, len(listed.numbers))]
+            others = range(1, len(listed.numbers))
+            rest = [self._clause(part, before, listed, at, state, after, of_each=of_each) for at in others]
             clauses = [first, *(clause for clause in rest if clause is not None)]
             if (refused := next((clause for clause in clauses if not clause.accepted), None)) is not None:
                 return [refused]
@@ -203,13 +210,23 @@ class ListedNumbers:
                 return None
             if self._may_be_a_row(part, before, listed, state, after):
                 return None
+            if of_each:
+                return clauses
             plural = before.words[-1] != part.words[listed.start - 1]
             asked = self._asked(clauses, len(before), len(listed.numbers[0]), state, plural=plural)
             return clauses if asked is None else [asked]
         return None
 
     def _clause(
-        self, part: Utterance, before: Utterance, listed: _Listed, at: int, state: Collection[str], after: str
+        self,
+        part: Utterance,
+        before: Utterance,
+        listed: _Listed,
+        at: int,
+        state: Collection[str],
+        after: str,
+        *,
+        of_each: bool = False,
     ) -> Clause | None:
         """The command with one number of a list, or why it cannot be done; None: it is none, or the number is no name
         in it."""
@@ -224,7 +241,8 @@ class ListedNumbers:
         if before.words[-1] in self._joined_by_grammar:
             return None
         does = not clause.accepted or (isinstance(clause.action, Custom) and clause.action.name != AGAIN)
-        return clause if does and self._is_named(clause.reading, len(before), len(number)) else None
+        named = self._is_named(clause.reading, len(before), len(number), of_each=of_each)
+        return clause if does and named else None
 
     def _may_be_a_row(
         self, part: Utterance, before: Utterance, listed: _Listed, state: Collection[str], after: str
@@ -263,14 +281,16 @@ class ListedNumbers:
                 nodes += [grammar.phrases[name]] if slot is None else []
         return words, numbers
 
-    def _is_named(self, reading: Reading, start: int, length: int) -> bool:
+    def _is_named(self, reading: Reading, start: int, length: int, *, of_each: bool) -> bool:
         """Whether a number is what a slot holds, the word before it is of the sentence, and what was named before it is
-        of each: "the cup to table 3 and 4" is one cup."""
+        of each: "the cup to table 3 and 4" is one cup, and so much may be of all together unless it was said that it is
+        ``of_each``."""
         slot = _slot_at(reading, start)
         if slot is None or slot.end != start + length or slot.slot.type != "number" or slot.slot.units:
             return False
         before = [other for other in reading.slots if other.start < start]
-        if any(other.end >= start or other.slot.type not in OF_EACH for other in before):
+        amounts = any(other.slot.type not in OF_EACH for other in before) and not of_each
+        if amounts or any(other.end >= start or other.slot.type in FREE_KINDS for other in before):
             return False
         shared = [other.end for other in before if other.slot.type == "choice"]
         return not shared or self._joining.isdisjoint(reading.words[max(shared) : start - 1])
@@ -310,7 +330,7 @@ class ListedNumbers:
             return None
         said = " ".join(reading.words[start + length :])
         each = tuple(described(clause.reading) for clause in clauses if clause.reading is not None)
-        shared = [slot for slot in behind if slot.slot.type not in OF_EACH and not self.is_name(slot, reading)]
+        shared = [slot for slot in behind if not self.is_of_each(slot, reading)]
         if shared:
             reason = f"{said!r} may be for each of them, or for all together; say each command in full"
             return Clause(reading, reason=reason, alternatives=each, ambiguous=True)
@@ -320,6 +340,18 @@ class ListedNumbers:
         reason = f"{said!r} may be meant for each of them, or for the last; say each command in full"
         return Clause(reading, reason=reason, alternatives=each, ambiguous=True)
 
+    def is_of_each(self, slot: SlotReading, reading: Reading) -> bool:
+        """Whether what is said behind a list is of each: it says how or which, as the number of a thing does ("the
+        weight and the noise of hive 6"), or how much each is to have of something."""
+        return slot.slot.type in OF_EACH or self.is_name(slot, reading) or self._is_level(slot, reading)
+
+    def _is_level(self, slot: SlotReading, reading: Reading) -> bool:
+        """Whether a number says how much each has of something: "to 20 *degrees*", but not "for 20 minutes"."""
+        words, end = reading.words, slot.end
+        durations = self._units.by_kind.get("duration", {}) if self._units is not None else {}
+        scale = end < len(words) and words[end] in self._scales and (words[end],) not in durations
+        return slot.slot.type == "number" and scale and words[slot.start - 1] in self._joining
+
     def is_name(self, slot: SlotReading, reading: Reading) -> bool:
         """Whether another number names a thing as well: "pallet 3 and 4 to *bay 5*"."""
         if slot.slot.type != "number" or slot.slot.units:
@@ -327,6 +359,15 @@ class ListedNumbers:
         noun, rest = reading.words[slot.start - 1], reading.words[slot.end :]
         bare = not rest or rest[0] in self._follows
         return bare and noun not in self._no_noun and not any(other.end == slot.start for other in reading.slots)
+
+    def is_of_a_letter(self, slot: SlotReading, reading: Reading) -> bool:
+        """Whether a number and the letter of a list before it are one name: "well A2"."""
+        if slot.slot.type != "number" or slot.slot.units:
+            return False
+        words, rest = reading.words, reading.words[slot.end :]
+        before = (other for other in reading.slots if other.end == slot.start and other.slot.type == "choice")
+        lettered = any(other.end == other.start + 1 and len(words[other.start]) == 1 for other in before)
+        return lettered and (not rest or rest[0] in self._follows)
 
 
 def _slot_at(reading: Reading, start: int) -> SlotReading | None:

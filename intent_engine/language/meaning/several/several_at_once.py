@@ -13,6 +13,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.listed_numbers import ListedNumbers
 from intent_engine.language.meaning.several.shared_verb import SharedVerb
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["SeveralAtOnce"]
 
@@ -24,6 +25,7 @@ class SeveralAtOnce:
         self._lists = ListedNumbers(phrases, commands)
         self._shared_verb = SharedVerb(phrases, commands, self._lists)
         self._corrected = CorrectedLists(phrases, commands, corrections)
+        self._for_each = PhraseSet(commands.matcher.grammar.wording.for_each)
 
     def verb_may_be_shared(self, core: Utterance) -> bool:
         """A quick look: whether one verb may be said of several things."""
@@ -45,10 +47,13 @@ class SeveralAtOnce:
             shared: whether one verb may be said of several things.
         """
 
-        def listed(words: Utterance) -> list[Clause]:
-            found = self._lists.each(words, state, after)
+        def listed(words: Utterance, of_each: bool = False) -> list[Clause]:
+            found = self._lists.each(words, state, after, of_each=of_each)
             if found is None and shared:
-                found = self._shared_verb.each(words, state)
+                found = self._shared_verb.each(words, state, of_each=of_each)
             return found or []
 
+        if (each := self._for_each.find(part.words, 1)) is not None:
+            start, length = each
+            return listed(part.cut(start, start + length), of_each=True)
         return self._corrected.each(part, state, listed) or listed(part)

@@ -19,7 +19,6 @@ from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.listed_numbers import OF_EACH, ListedNumbers
-from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
@@ -74,7 +73,6 @@ class SharedVerb:
         known, operators, wording = thing_words(grammar.language), grammar.operators, grammar.wording
         self._articles = known.articles | set(known.contracted)
         self._joining = known.joining | known.binding | known.within
-        self._scales, self._units = known.scales, units(grammar.language)
         self._placed = PhraseSet(wording.placed)
         turning = (*operators.negation, *operators.contrast)
         self._turns = wording.leaves_open.union(
@@ -83,9 +81,9 @@ class SharedVerb:
         self._alternatives = wording.alternatives
         self._joints = {words[0] for words in operators.sequence if len(words) == 1}
 
-    def each(self, part: Utterance, state: Collection[str]) -> list[Clause] | None:
-        """The commands, one for each thing; or the one clause that asks, where it is not clear what is of which. None:
-        there is nothing of the kind."""
+    def each(self, part: Utterance, state: Collection[str], *, of_each: bool = False) -> list[Clause] | None:
+        """The commands, one for each thing; or the one clause that asks, where it is not clear what is of which, unless
+        it was said that it is ``of_each``. None: there is nothing of the kind."""
         if not self.may_stand_in(part) or self._correction.find(part.words) is not None:
             return None
         joints = list(_joints_in(part, self._sequence))
@@ -95,9 +93,9 @@ class SharedVerb:
             return None
         in_turn = all(self._says_later(part.words[start:end]) for start, end in joints)
         found: dict[tuple[object, ...], list[Clause]] = {}
-        for said in self._ways(part, joints, state):
+        for said in self._ways(part, joints, state, of_each=of_each):
             clauses = [one.clause for one in said]
-            asked = self._asked(said, part, state, in_turn=in_turn)
+            asked = self._asked(said, part, state, in_turn=in_turn, of_each=of_each)
             if asked is None:
                 found.setdefault(tuple(clause.action for clause in clauses), clauses)
             else:
@@ -140,7 +138,13 @@ class SharedVerb:
         return next(iter(articled or found), [])
 
     def _ways(
-        self, part: Utterance, joints: Sequence[tuple[int, int]], state: Collection[str], *, one: bool = False
+        self,
+        part: Utterance,
+        joints: Sequence[tuple[int, int]],
+        state: Collection[str],
+        *,
+        one: bool = False,
+        of_each: bool = False,
     ) -> Iterator[list[_Said]]:
         """The commands, for each place where what all share may end before the first, and go on behind the last."""
         words, first_end, last_start = part.words, joints[0][0], joints[-1][1]
@@ -158,7 +162,7 @@ class SharedVerb:
                         break
                     said.append(other)
                 else:
-                    if self._are_alike(said, one=one):
+                    if self._are_alike(said, one=one, of_each=of_each):
                         yield said
 
     def _begins_with_a_verb(self, reading: Reading, words: Sequence[str]) -> bool:
@@ -180,9 +184,9 @@ class SharedVerb:
             return None
         return _Said(clause, clause.reading, start, len(before))
 
-    def _are_alike(self, said: Sequence[_Said], *, one: bool) -> bool:
+    def _are_alike(self, said: Sequence[_Said], *, one: bool, of_each: bool) -> bool:
         """Whether all say the same of themselves, each of something else, and share the rest. If ``one`` of them is
-        meant, that may be an amount as well."""
+        meant, that may be an amount as well; what was said to be ``of_each`` is not of all together."""
         first = said[0]
         labels = sorted(slot.label for slot in first.own)
         for other in said:
@@ -192,7 +196,7 @@ class SharedVerb:
                 return False
             if one and any(slot.slot.type in FREE_KINDS for slot in other.own):
                 return False  # of which things are given as they were said: "a cup or two"
-            if not one and not self._may_be_listed(other):
+            if not one and not self._may_be_listed(other, of_each=of_each):
                 return False
             if {slot.label: slot.value for slot in other.shared} != {slot.label: slot.value for slot in first.shared}:
                 return False
@@ -207,18 +211,21 @@ class SharedVerb:
         return any(len({str(each.reading.values()[label]) for each in said}) == len(said) for label in names)
 
     def _names(self, said: _Said) -> list[str]:
-        """The labels of what tells it from another: no amount does, but "bin 3"."""
+        """The labels of what tells it from another: no amount does, but "bin 3" and the 2 of "well A2"."""
         return [
             slot.label
             for slot in said.own
-            if slot.slot.type in _NAMES or (slot.start > said.start and self._lists.is_name(slot, said.reading))
+            if slot.slot.type in _NAMES
+            or (slot.start > said.start and self._lists.is_name(slot, said.reading))
+            or self._lists.is_of_a_letter(slot, said.reading)
         ]
 
-    def _may_be_listed(self, said: _Said) -> bool:
+    def _may_be_listed(self, said: _Said, *, of_each: bool) -> bool:
         """Whether any free words of its own are a thing that the grammar lists, beside something else; and none that
         all share, nor an amount before, which may be of all together."""
         for slot in said.reading.slots:
-            if slot.start < said.start and slot.slot.type not in OF_EACH:
+            shared = slot.start < said.start and slot.slot.type not in OF_EACH
+            if shared and (not of_each or slot.slot.type in FREE_KINDS):
                 return False
             if slot.slot.type in FREE_KINDS:
                 listed = self._articles.union(slot.slot.known).issuperset(said.reading.words[slot.start : slot.end])
@@ -232,7 +239,9 @@ class SharedVerb:
         sentences = (words_in(one.template) for one in reading.intent.sentences)
         return any(verb in words and not self._joints.isdisjoint(words) for words in map(set, sentences))
 
-    def _asked(self, said: Sequence[_Said], part: Utterance, state: Collection[str], *, in_turn: bool) -> Clause | None:
+    def _asked(
+        self, said: Sequence[_Said], part: Utterance, state: Collection[str], *, in_turn: bool, of_each: bool
+    ) -> Clause | None:
         """The clause that asks what is of which; None: it is clear. What is said to be done ``in_turn``, "left, then
         right", is no one thing and not done together."""
         one, last = said[0], said[-1]
@@ -242,7 +251,8 @@ class SharedVerb:
         behind = [slot for slot in one.shared if slot.start >= one.end]
         alone = self._commands.exact(list(words[: one.end]), state) if behind else None
         is_whole = alone is not None and alone.accepted
-        if is_whole or not all(self._is_of_each(slot, one) for slot in behind):
+        unclear = is_whole or not all(self._lists.is_of_each(slot, one.reading) for slot in behind)
+        if unclear and not of_each:
             told = f"{' '.join(words[one.end :])!r} may be meant for each of them, for the last, or for all together"
         elif self._is_one_thing(one):
             told = f"{listed!r} may be of one thing, or of one for each"
@@ -250,7 +260,7 @@ class SharedVerb:
             told = f"{listed!r} may all belong to what is named before, or only the first"
         elif _may_share_tens(said):
             told = f"{listed!r} may share their tens"
-        elif not in_turn and any(map(self._is_bare, said[1:])) and not self._names_things(last):
+        elif not (in_turn or of_each) and any(map(self._is_bare, said[1:])) and not self._names_things(last):
             told = f"{listed!r} may be for each of them, or for all together"
         else:
             return None
@@ -289,18 +299,6 @@ class SharedVerb:
     def _is_no_thing(self, words: Sequence[str]) -> bool:
         """Whether words of a list say which of two is done: "on" and "off", "open" and "close"."""
         return all(opposed(word, self._language) for word in words)
-
-    def _is_of_each(self, slot: SlotReading, said: _Said) -> bool:
-        """Whether what is said behind a list is of each, where none is whole without it: it says how or which, as the
-        number of a thing does ("the weight and the noise of hive 6"), or how much each is to have of something."""
-        return slot.slot.type in OF_EACH or self._lists.is_name(slot, said.reading) or self._is_level(slot, said)
-
-    def _is_level(self, slot: SlotReading, said: _Said) -> bool:
-        """Whether a number says how much each has of something: "to 20 *degrees*", but not "for 20 minutes"."""
-        words, end = said.reading.words, slot.end
-        durations = self._units.by_kind.get("duration", {}) if self._units is not None else {}
-        scale = end < len(words) and words[end] in self._scales and (words[end],) not in durations
-        return slot.slot.type == "number" and scale and words[slot.start - 1] in self._joining
 
     def _names_things(self, said: _Said) -> bool:
         """Whether a bare name stands behind an article, and no noun behind it: "the hall and bathroom", but not "the

@@ -1,9 +1,11 @@
-""" "There" for the place of the command before: "go to the archive and fetch the boxes *from there*"."""
+""" "There" for the place of the command before: "go to the archive and fetch the boxes *from there*", "go to the bin and
+drop the tip *there*"."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from intent_engine.actions import Custom, Navigate
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.told import Understood, readings_of, told_before
 from intent_engine.language.reading import SlotReading
@@ -14,6 +16,8 @@ from intent_engine.language.words.thing_words import thing_words
 __all__ = ["PlacesThere"]
 
 _PLACES = ("location", "choice")
+_LEAST = 2
+"""Commands of which the last is done where the one before it went."""
 
 
 class PlacesThere:
@@ -29,6 +33,7 @@ class PlacesThere:
         articles = thing_words(grammar.language).definite
         self._articles: Sequence[tuple[str, ...]] = [(), *((article,) for article in sorted(articles))]
         self._sequence = sequence
+        self._at_last, self._to = PhraseSet(grammar.wording.there_at_last), grammar.wording.ways_to
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with that place; None: there is none, or more than one.
@@ -38,6 +43,8 @@ class PlacesThere:
             as_said: what an utterance means that takes its place; None: it is no command.
         """
         found = self._there.find(core.words)
+        if found is None and (length := self._at_last.ends(core.words)):
+            return self._done_there(core, len(core) - length, as_said)
         if found is None or self._there.find(core.words, sum(found)) is not None:
             return None
         at, end = sum(found) - 1, sum(found)
@@ -55,6 +62,22 @@ class PlacesThere:
                 later = (one for places in _places_of(meant)[len(named) :] for one in places)
                 return meant if any(one.value == place.value for one in later) else None
         return None
+
+    def _done_there(
+        self, core: Utterance, end: int, as_said: Callable[[Utterance], Understood | None]
+    ) -> Understood | None:
+        """The meaning of an utterance without a "there" at its end, behind a command that names no place, if the one
+        before it goes to one."""
+        if end < _LEAST or core.breaks[end]:
+            return None
+        if (meant := as_said(core.part(0, end))) is None:
+            return None
+        readings, actions = readings_of(meant), meant[0].actions
+        if not _LEAST <= len(readings) == len(actions) or _places_of(meant)[-1] or readings[-1].free_words:
+            return None
+        went = readings[-2]
+        to = (place for place in _places_of(meant)[-2] if not self._to.isdisjoint(went.words[: place.start][-2:]))
+        return meant if isinstance(actions[-2], Navigate | Custom) and any(to) else None
 
 
 def _places_of(understood: Understood | None) -> list[list[SlotReading]]:
