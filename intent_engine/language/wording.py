@@ -134,6 +134,8 @@ class Wording:
     """Words before how far something is to go, which may be left out: "turn left *by* thirty degrees"."""
     lasting: frozenset[str] = frozenset()
     """The same before how long something takes: "soak it *for* ten minutes"."""
+    lasting_behind: frozenset[str] = frozenset()
+    """Words behind how long something takes: "zwei Minuten *lang*"."""
     coming: frozenset[str] = frozenset()
     """What says no more between these with an article and how long: "for the *next* two hours"."""
     how_often: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -144,6 +146,8 @@ class Wording:
     """Verbs with what may belong to them and says no more than they do: "heat *up* the flask"."""
     switched: frozenset[str] = frozenset()
     """What ends an order without a verb: "lights *on*"."""
+    switching: frozenset[str] = frozenset()
+    """Verbs that say no more than these words do: "*turn* the lights on"."""
     wishes_for: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants a thing: "*could I get* a mojito"."""
     takes_along: Mapping[str, frozenset[str]] = field(default_factory=dict)

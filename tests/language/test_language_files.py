@@ -78,6 +78,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "puts": "en", "brings": "en", "places_alone": "en",
         "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "takes_along": "en", "switched": "de en", "led_by": "de en fr it",
+        "switching": "en", "lasting_behind": "de",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en",
         "there": "en", "there_at_last": "en", "others": "en", "other_people": "en", "seeks": "en",
         "tells_of_whom": "en", "thinks": "en", "somewhat": "en",

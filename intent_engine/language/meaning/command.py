@@ -68,8 +68,7 @@ class Commands:
             counted = self._free.counted(words, readings[0], lambda said: self.readings(said, after))
             readings = counted or [reading for reading in readings if not self._free.points(reading)]
         if readings and readings[0].free_words > 1 and (kept := self._free.place_of(readings[0])):
-            name = " ".join(kept)
-            return Clause(readings[0], reason=_OF_A_PLACE.format(name), at_fault=(name,))
+            return Clause(readings[0], reason=_OF_A_PLACE.format(" ".join(kept)), at_fault=(" ".join(kept),))
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
         if readings and (number := self._number_said_apart(readings[0], breaks)):

@@ -110,6 +110,9 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
+        switched = self._one_of(self._verbless.without_verb(part), part, state)
+        if switched is not None:
+            return switched
         done = list(self._wished_done.ways(part, verbs, asks=asks))
         wished = [done, list(self._wished.ways(part, verbs))]
         if part.words[0] in verbs:  # "can you slew to the left?" asks for it

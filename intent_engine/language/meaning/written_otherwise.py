@@ -18,6 +18,7 @@ from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told, names_any, only, readings_of
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.wordings.by_number import ByNumber
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.given_to import GivenTo
@@ -101,7 +102,8 @@ class WrittenOtherwise:
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
         often = HowOften(self._matcher.grammar, phrases)
-        self._numbers = (*NUMBERS, OneOfIt(commands).rule, often.rule, *GivenTo(commands).rules)
+        rules = (*OneOfIt(commands).rules, often.rule, *ByNumber(self._matcher.grammar).rules)
+        self._numbers = (*NUMBERS, *rules, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
@@ -369,8 +371,7 @@ class WrittenOtherwise:
         if not self._phrases.sequence.may_stand_in(core.words):
             return None
         for way, noun in self._shared_nouns.ways(core, self._commands.verbs):  # "the left and right armrest"
-            found = self._understood_as(text, core, way, state)
-            if self._shared_nouns.means(readings_of(found), noun):
+            if self._shared_nouns.means(readings_of(found := self._understood_as(text, core, way, state)), noun):
                 return found
         other = self._plurals.one_of_each(core)
         found = self._understood_as(text, core, other, state)

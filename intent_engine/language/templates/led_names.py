@@ -51,7 +51,13 @@ def led(
                 return Optional(walk(inner, before))
             case Sequence(items):
                 parts: list[Node] = []
-                for one in items:
+                for place, one in enumerate(items):
+                    if isinstance(one, Optional) and not before and ends(one.item) and place + 1 < len(items):
+                        # "bring [{count}] {item}": where no number is said, an article may be.
+                        rest = Sequence(items[place + 1 :])
+                        bare, counted = walk(rest, False), walk(rest, True)
+                        if bare != counted:
+                            return Sequence((*parts, Choice((bare, Sequence((walk(one.item, False), counted))))))
                     parts.append(walk(one, before))
                     before = ends(one, before)
                 return Sequence(tuple(parts))

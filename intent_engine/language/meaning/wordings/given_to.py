@@ -58,8 +58,9 @@ class GivenTo:
             return None
         if not (given[0] in self._articles or is_number(given[0], language)) or not self._names(whom, language):
             return None
-        numbers = in_words([word for word in said.words[length : length + 2] if is_number(word, language)])
-        if len(numbers) > 1 and evaluate(numbers, "number", language) is not None:
+        numbers = said.words[length : length + 2]
+        counted = all(is_number(word, language) for word in numbers)
+        if counted and evaluate(in_words(numbers), "number", language) is not None:
             return None
         return Utterance.in_one_breath([*verb, *given, self._to, *whom])
 

@@ -40,6 +40,7 @@ class LedAmounts:
         self._in_two = set(known.contracted.values())
         self._by_own = sorted(wording.led_by & own)
         self._lasting_own = sorted(wording.lasting & own)
+        self._lasting_behind = sorted(wording.lasting_behind & own)
         self._of_own = sorted(wording.sizes.keys() & own)
         self._rates = table.words["per"] if table is not None else frozenset[str]()
         self._times = {words[0] for words in table.by_kind.get("duration", {})} if table is not None else set[str]()
@@ -47,7 +48,12 @@ class LedAmounts:
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """Without a word, with one more, and with another."""
-        begin = {amount.start for amount in amounts(core.words, self._language)}
+        counted = amounts(core.words, self._language)
+        begin = {amount.start for amount in counted}
+        for amount in counted if self._lasting_behind else ():  # "spül zwei Minuten", of "spül {zeit} lang"
+            if core.words[amount.stop : amount.stop + 1] != self._lasting_behind[:1]:
+                said = core.with_other(amount.stop, amount.stop, Utterance.in_one_breath(self._lasting_behind[:1]))
+                yield Rewording(said, Begins([core.words[amount.start]], _LASTS, free=False))
         for at in range(1, len(core)):
             if not core.breaks[at]:
                 yield from self._left_out(core, at)

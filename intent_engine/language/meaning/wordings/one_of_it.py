@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from intent_engine.language.loading.language_words import default_another, default_counting
 from intent_engine.language.meaning.command import Commands
@@ -40,8 +41,9 @@ class OneOfIt:
         counting = {word for words in default_counting(language) for word in words.split()}  # "a more photo"
         self._no_noun = known.joining | known.binding | known.articles | known.alone | counting
         self._commands = commands
-        self.rule = (self.told, self.is_meant)
-        """It as one of those in which numbers are written otherwise."""
+        self._another = default_another(language)
+        self.rules = ((self.told, self.is_meant), (self.once_more, self.is_one_more))
+        """It as some of those in which numbers are written otherwise."""
         self._plurals = Plurals(commands.matcher.grammar, lambda: commands.first_words)
 
     def told(self, said: Utterance, language: str) -> Utterance | None:
@@ -92,5 +94,26 @@ class OneOfIt:
         verbs = [verb for verb in range(at) if words[verb] in self._commands.first_words]
         verbs = [verb for verb in verbs if prefix([*words[verb:at], _ANY_WORD])[1] is None]
         begun = ([*words[verb:at], _ONE, words[at + 1]] for verb in verbs)
-        ways = (way for one in begun for way in (one, self._plurals.counted(one)) if way is not None)
-        return any(prefix(way)[1] is not None for way in ways)
+        return any(prefix(way)[1] is not None for one in begun for way in self._ways(one))
+
+    def _ways(self, begun: list[str]) -> Iterator[list[str]]:
+        """What is counted as it was said, and as a grammar may have more of it, be it that it has a word for one."""
+        yield begun
+        more = self._plurals.counted(begun)
+        known = self._plurals.otherwise(Utterance.in_one_breath(begun), known=True) if more is None else None
+        yield from (way for way in (more, known.words if known is not None else None) if way is not None)
+
+    def once_more(self, said: Utterance, language: str) -> Utterance | None:
+        """An utterance with the article in the place of an "another", where a name of a list follows; None: it has
+        none."""
+        at = next((at for at in range(1, len(said) - 1) if said.words[at] in self._another), None)
+        if at is None or said.breaks[at + 1] or len(said) > _MOST_WORDS:
+            return None
+        return said.with_other(at, at + 1, Utterance.in_one_breath([self._another[said.words[at]][0]]))
+
+    def is_one_more(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
+        """Whether it stands before what a list names, and no place: of these there is one."""
+        name = next((after for word, after in pairwise(said.words) if word in self._another), "")
+        slots = [slot for one in readings for slot in one.slots if name in one.words[slot.start : slot.end]]
+        free = any(reading.free_words for reading in readings)
+        return bool(slots) and not free and all(slot.slot.type == "choice" for slot in slots)

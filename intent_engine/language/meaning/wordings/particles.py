@@ -58,6 +58,10 @@ class Particles:
         for start, end in reversed(list(self._clauses(core))):
             verb, begin = core.words[start], end + self._ends[0].at(core.words, end)
             own = self._particles[verb]
+            listed = start + 2 < end < len(core) and core.words[start + 1] in own
+            if listed and self._is_placed(core.part(start, end), state):
+                said = self._of_each(core, said, start, end, state)
+                continue
             if begin == end or core.words[end - 1] not in own or core.words[begin : begin + 1] == [verb]:
                 continue
             stop = next((at + 1 for at in range(begin, len(core)) if core.words[at] in own), begin)
@@ -69,6 +73,28 @@ class Particles:
             ):
                 said = said.with_other(begin, stop, Utterance.in_one_breath([verb, *other]))
         return said
+
+    def _of_each(self, core: Utterance, said: Utterance, start: int, end: int, state: Collection[str]) -> Utterance:
+        """ "Switch off the fan and the pump" with the verb and its particle before each thing of the list that follows
+        a command. Where they are in their place in the grammar, its verb may be shared as it is."""
+        words, places = core.words, list[int]()
+        begun = words[start : start + 2]
+        while end < len(core):
+            begin = end + self._ends[0].at(words, end)
+            if begin >= len(core) or words[begin] not in self._articles:
+                break
+            later = range(begin + 1, len(core))
+            end = next((at for at in later if core.breaks[at] or self._ends[0].at(words, at)), len(core))
+            if not self._is_placed(Utterance.in_one_breath([*begun, *words[begin:end]]), state):
+                return said
+            places.append(begin)
+        for place in reversed(places):
+            said = said.with_other(place, place, Utterance.in_one_breath(begun))
+        return said
+
+    def _is_placed(self, clause: Utterance, state: Collection[str]) -> bool:
+        """Whether a command with its particle straight behind its verb is one with it elsewhere."""
+        return not self._commands.accepts(clause.words, state) and self._placed(clause, state) is not None
 
     def _clauses(self, core: Utterance) -> Iterator[tuple[int, int]]:
         """Where commands with such a verb begin, and where they end: at a pause or what joins or corrects."""

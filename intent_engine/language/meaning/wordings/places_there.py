@@ -1,5 +1,5 @@
-""" "There" for the place of the command before: "go to the archive and fetch the boxes *from there*", "go to the bin and
-drop the tip *there*"."""
+""" "There" for the place of the command before: "go to the archive and fetch the boxes *from there*", "go to the
+bin and drop the tip *there*"."""
 
 from __future__ import annotations
 

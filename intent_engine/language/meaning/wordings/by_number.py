@@ -1,0 +1,79 @@
+"""One of several told by its number, where a grammar tells them in order: "lane 3" is "the third lane"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.quantities import evaluate
+from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["ByNumber"]
+
+_Rule = tuple[Callable[[Utterance, str], Utterance | None], Callable[[Utterance, Sequence[Reading], str], bool]]
+_MOST = 99
+
+
+class ByNumber:
+    """Reads such a number as an ordinal before its noun, with an article and without. English alone writes "3rd".
+
+    Args:
+        grammar: whose nouns and ordinals they are.
+    """
+
+    def __init__(self, grammar: Grammar) -> None:
+        ordinals = any(slot.type == "ordinal" for slot in grammar.slots.values())
+        self._own = vocabulary(grammar) if ordinals and grammar.language == "en" else frozenset[str]()
+        known = thing_words(grammar.language)
+        self._articles, self._definite = known.articles, sorted(known.definite)
+        self._no_noun = known.joining | known.articles | known.alone
+        self.rules: tuple[_Rule, ...] = tuple((partial(self._told, led=led), self._is_meant) for led in (False, True))
+        """It as some of those in which numbers are written otherwise."""
+
+    def _told(self, said: Utterance, language: str, *, led: bool) -> Utterance | None:
+        """The utterance with the one number of it in order, its article before it where it is to be ``led``; None: it
+        has none, or several."""
+        place = self._place(said, language)
+        if place is None:
+            return None
+        noun, end = place
+        value = evaluate(said.words[noun + 1 : end], "number", language)
+        if not isinstance(value, float) or not value.is_integer() or not 0 < value <= _MOST:
+            return None
+        has_one = said.words[noun - 1] in self._articles
+        article = self._definite[:1] if led and not has_one else []
+        words = [*article, _ordinal(int(value)), said.words[noun]]
+        return said.with_other(noun, end, Utterance.in_one_breath(words)) if led != has_one or article else None
+
+    def _place(self, said: Utterance, language: str) -> tuple[int, int] | None:
+        """Where the noun stands, in one breath with its number, and where the number ends."""
+        words = said.words
+        found: list[tuple[int, int]] = []
+        at = 1
+        while self._own and at < len(words):
+            end = at
+            while end < len(words) and is_number(words[end], language) and not said.breaks[end]:
+                end += 1
+            if end > at and at > 1 and words[at - 1] in self._own - self._no_noun:
+                found.append((at - 1, end))
+            at = max(end, at + 1)
+        return found[0] if len(found) == 1 else None
+
+    def _is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
+        """Whether the noun stands straight behind an ordinal, and no words are free."""
+        place = self._place(said, language)
+        if place is None or any(reading.free_words for reading in readings):
+            return False
+        noun = said.words[place[0]]
+        ordinals = [(one, slot) for one in readings for slot in one.slots if slot.slot.type == "ordinal"]
+        return len(ordinals) == 1 and ordinals[0][0].words[ordinals[0][1].end :][:1] == (noun,)
+
+
+def _ordinal(number: int) -> str:
+    teens = number % 100 // 10 == 1
+    return f"{number}{'th' if teens else {1: 'st', 2: 'nd', 3: 'rd'}.get(number % 10, 'th')}"
