@@ -54,8 +54,8 @@ from intent_engine.language.words.unit_symbols import UnitSymbols
 
 __all__ = ["WrittenOtherwise"]
 
-
 _FORM_AND_VERB = 2
+_DEEPEST = 12  # ways to write what was said, one upon the other
 _UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
 """What is being understood as something else, so that none is tried again within: "kilos" as "kilo", as "kilos"."""
 
@@ -107,7 +107,7 @@ class WrittenOtherwise:
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
-        self._shared_nouns = SharedNouns(self._matcher.grammar, phrases)
+        self._shared_nouns = SharedNouns(self._matcher, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
         self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
@@ -384,7 +384,7 @@ class WrittenOtherwise:
     ) -> Understood | None:
         """What was said as it is written otherwise, if it is a command so."""
         under_way = _UNDER_WAY.get()
-        if other is None or tuple(other.words) in under_way:
+        if other is None or tuple(other.words) in under_way or len(under_way) > _DEEPEST:
             return None
         before = _UNDER_WAY.set((*under_way, tuple(core.words)))
         try:

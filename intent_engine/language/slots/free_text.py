@@ -193,13 +193,14 @@ class FreeText:
         """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
         ("grab me", "get me the cup", but "the us flag"), only say where ("grab there"), say nothing ("grab, please"),
         or begin with what softens an order ("prends *aussi* la tasse"). In any they are none where a person is given
-        something: "print *me a* gear"."""
+        something: "print *me a* gear", "bring *me* dune"."""
         said, before, wording = words[start:end], words[:start][-1:], self._grammar.wording
         if _meant(slot, said[0]):
             return False
         if slot.name not in self._taken:
             given = said[0] in wording.for_whom and not (slot.dictation or wording.gives.isdisjoint(before))
-            return given and len(said) > 1 and said[1] in self.articles
+            brought = not wording.brings.isdisjoint(before) and said[-1] not in self._words.joining  # "get me dune"
+            return given and len(said) > 1 and (said[1] in self.articles or (brought and said[1] not in self._going_on))
         if said[0] in self._words.where:
             return len(said) == 1
         if said[0] not in self._words.persons:

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.slots.name_words import singular
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import listed_words
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["SharedNouns"]
@@ -24,11 +25,14 @@ class SharedNouns:
     """Reads such names with the noun behind each.
 
     Args:
-        grammar: whose they are. Where nouns stand before what tells which, nothing is read so.
+        matcher: of the grammar whose they are. Where nouns stand before what tells which, nothing is read so.
         phrases: of the grammar.
     """
 
-    def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+    def __init__(self, matcher: Matcher, phrases: Phrases) -> None:
+        grammar = matcher.grammar
+        places = (words for words, _ in matcher.locations.names()) if matcher.locations else ()
+        self._named = listed_words(grammar).union(*places)
         known = thing_words(grammar.language)
         self._noun_last = bool(known.qualities)
         self._articles, self._endings = known.articles, known.plurals
@@ -58,10 +62,15 @@ class SharedNouns:
             article = [words[first - 1]] if words[first - 1] in self._articles else []
             if last > at + length and words[last - 1 : last] != article:
                 continue
-            for noun in (words[last + 1], *(one for (one,) in singular((words[last + 1],), self._endings))):
+            before = {one for word in words[:at] for one in self._ones(word)}
+            for noun in (one for one in self._ones(words[last + 1]) if one in self._named - before):
                 said = [word for name in names[:-1] for word in (*article, name, noun)][len(article) :]
                 said += [*words[at : at + length], *article, names[-1], noun]
                 yield core.with_other(first, last + 2, self._parted(said, [*article, names[0], noun], article)), noun
+
+    def _ones(self, word: str) -> tuple[str, ...]:
+        """A word, and the same for one of what it may name."""
+        return (word, *(one for (one,) in singular((word,), self._endings)))
 
     def _parted(self, said: list[str], one: Sequence[str], article: Sequence[str]) -> Utterance:
         """The names with a pause between all but the last two."""
