@@ -30,7 +30,7 @@ class FreeWordsKept:
     def __init__(self, matcher: Matcher, plurals: Plurals) -> None:
         language = matcher.grammar.language
         self._matcher, self._plurals = matcher, plurals
-        self._leads = thing_words(language).joining
+        self._leads, self._articles = thing_words(language).joining, thing_words(language).articles
         self._pronouns = PhraseSet(matcher.grammar.operators.pronoun)
         another = default_another(language) if language == "en" else {}
         self._ones = {one for word, meant in another.items() for one in (word, *meant)}
@@ -66,10 +66,12 @@ class FreeWordsKept:
         stands there. Empty: there is none."""
         words = list(reading.words)
         for slot, at in self._led(reading):
+            begins = (at + 1, at + 2) if words[at + 1] in self._articles else (at + 1,)
             if any(
-                self._is_value(other, reading, at + 1, slot.end - cut + at + 1)
-                for cut in range(at + 2, slot.end)
-                for other in self._matcher.read([*words[: at + 1], *words[cut:]])
+                self._is_value(other, reading, begin, slot.end - cut + begin)
+                for begin in begins
+                for cut in range(begin + 1, slot.end)
+                for other in self._matcher.read([*words[:begin], *words[cut:]])
             ):
                 return reading.words[at : slot.end]
         return ()

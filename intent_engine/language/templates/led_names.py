@@ -39,6 +39,17 @@ def led(
                 return before
         return False
 
+    def counts(item: Node) -> bool:
+        """Whether it ends in an amount, however it is said."""
+        match item:
+            case Reference(name, _, _):
+                return name in numbers
+            case Choice(items):
+                return all(map(counts, items))
+            case Sequence(items):
+                return counts(items[-1])
+        return False
+
     def walk(item: Node, before: bool) -> Node:
         match item:
             case Reference(name, _, _) if leading.get(name) and not before:
@@ -52,7 +63,7 @@ def led(
             case Sequence(items):
                 parts: list[Node] = []
                 for place, one in enumerate(items):
-                    if isinstance(one, Optional) and not before and ends(one.item) and place + 1 < len(items):
+                    if isinstance(one, Optional) and not before and counts(one.item) and place + 1 < len(items):
                         # "bring [{count}] {item}": where no number is said, an article may be.
                         rest = Sequence(items[place + 1 :])
                         bare, counted = walk(rest, False), walk(rest, True)

@@ -33,6 +33,7 @@ intents:
         ("see (the|some) ({thing}|{count})", "see (the|some) ({thing}|{count})"),
         ("see {count} {thing}", "see {count} {thing}"),
         ("[a] ([big];[red]) {thing}", "[a] ([big]; [red]) {thing}"),
+        ("see [{count}] {thing}", "see (([the] {thing})|{count} ({thing}))"),
         ("[the] ([{thing}] light)", "[the] ([{thing}] light)"),
         ("see [{thing}] (now;at {thing:other})", "see [[the] {thing}] (now; at ([the] {thing:other}))"),
     ],

@@ -69,7 +69,7 @@ class ListedNumbers:
         self._turns = wording.leaves_open.union(words[0] for words in turning if len(words) == 1)
         self._joining, self._scales = known.joining | known.binding | known.within, known.scales
         self._no_noun = self._joining | known.articles | known.alone | known.scales | operators.closed
-        self._follows = self._joining | known.alone | known.where | frozenset(wording.parted)
+        self._follows = self._joining | known.alone | known.where | wording.lasting.union(wording.parted)
         self._articles, self._definite, self._plurals = known.articles, known.definite, known.plurals
 
     def each(

@@ -30,7 +30,8 @@ class PlacesThere:
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
         self._there = PhraseSet(grammar.wording.there)
-        articles = thing_words(grammar.language).definite
+        known = thing_words(grammar.language)
+        articles, self._joining = known.definite, known.joining
         self._articles: Sequence[tuple[str, ...]] = [(), *((article,) for article in sorted(articles))]
         self._sequence = sequence
         self._at_last, self._to = PhraseSet(grammar.wording.there_at_last), grammar.wording.ways_to
@@ -66,16 +67,18 @@ class PlacesThere:
     def _done_there(
         self, core: Utterance, end: int, as_said: Callable[[Utterance], Understood | None]
     ) -> Understood | None:
-        """The meaning of an utterance without a "there" at its end, behind a command that names no place, if the one
-        before it goes to one."""
+        """The meaning of an utterance without a "there" at its end, behind a command that names none, if the one before
+        it goes to a place."""
         if end < _LEAST or core.breaks[end]:
             return None
         if (meant := as_said(core.part(0, end))) is None:
             return None
         readings, actions = readings_of(meant), meant[0].actions
-        if not _LEAST <= len(readings) == len(actions) or _places_of(meant)[-1] or readings[-1].free_words:
+        if not _LEAST <= len(readings) == len(actions) or readings[-1].free_words:
             return None
-        went = readings[-2]
+        went, done = readings[-2:]
+        if any(not self._joining.isdisjoint(done.words[: slot.start][-2:]) for slot in done.slots):
+            return None
         to = (place for place in _places_of(meant)[-2] if not self._to.isdisjoint(went.words[: place.start][-2:]))
         return meant if isinstance(actions[-2], Navigate | Custom) and any(to) else None
 

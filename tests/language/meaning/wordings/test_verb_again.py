@@ -52,3 +52,46 @@ def test_each_is_done(engine_of, said: str, intents: list[str]) -> None:
 )
 def test_what_tells_or_denies_does_nothing(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR).parse(said).actions
+
+
+PRINTER = """
+language: en
+slots:
+  heat: {type: number, max: 300}
+  bed: {type: number, max: 120}
+  printer: {type: number, max: 9, whole: true}
+  level: percent
+intents:
+  heat:
+    action: custom
+    sentences:
+      - "heat the nozzle [of printer {printer}] to {heat} degrees"
+      - "heat the bed [of printer {printer}] to {bed} degrees"
+  lid: {action: custom, sentences: ["open the lid [to {level}]"]}
+  door: {action: custom, sentences: ["open the door"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("heat the nozzle to 210 degrees and the bed to 60 degrees", [{"heat": 210.0}, {"bed": 60.0}]),
+        ("heat the nozzle to 210 degrees, and the bed to 60 degrees", [{"heat": 210.0}, {"bed": 60.0}]),
+        ("open the lid and the door", [{}, {}]),
+        ("open the lid to half and the door", [{"level": 0.5}, {}]),
+    ],
+)
+def test_where_nouns_have_no_cases(engine_of, said: str, slots: list[dict[str, object]]) -> None:
+    assert [dict(action.slots) for action in engine_of(PRINTER).parse(said).actions] == slots
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "heat the nozzle of printer 3 to 210 degrees and the bed to 60 degrees",  # of printer 3 as well?
+        "open the lid and the door is open", "open the lid or the door", "don't open the lid and the door",
+        "open the lid and the window", "he opens the lid and the door",
+    ],
+)  # fmt: skip
+def test_where_nouns_have_no_cases_and_it_is_not_clear(engine_of, said: str) -> None:
+    assert not engine_of(PRINTER).parse(said).actions
