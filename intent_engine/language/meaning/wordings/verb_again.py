@@ -69,6 +69,8 @@ class VerbAgain:
         differ = one.intent.name != other.intent.name
         if self._has_cases:
             return differ
-        said, anew = one.values().keys(), other.values().keys()
+        said, anew = one.values(), other.values()
+        if anew and anew.items() <= said.items():
+            return False  # "turn the fan on and the fan off"
         may_say = {reference.label for reference in references(other.sentence.template)}
-        return (differ or said != anew) and may_say.isdisjoint(said - anew)
+        return (differ or said.keys() != anew.keys()) and may_say.isdisjoint(said.keys() - anew.keys())
