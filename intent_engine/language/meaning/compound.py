@@ -44,6 +44,7 @@ class Compounds:
         self._joints = Joints(commands.matcher, phrases.sequence)
         self._corrections = corrections
         self.at_once = SeveralAtOnce(phrases, commands, corrections)
+        self._where = thing_words(commands.matcher.grammar.language).where
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
         self._besides = PhraseSet(commands.matcher.grammar.wording.besides)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
@@ -160,7 +161,7 @@ class Compounds:
                 listed = not joined and _goes_on(clause)
                 if end == len(words):
                     found = [clause] if not listed else None
-                elif self._phrases.only_stops(words, after) and not listed and not self._names_what(words[after:]):
+                elif self._only_ends(words, end, after) and not listed and not self._names_what(words[after:]):
                     found = [self._at_rest(clause, words[after:])]  # "... and stop"
                 elif (done := depth + len(several)) < MAX_PARTS:
                     name = self._goes_on_from(clause)
@@ -190,6 +191,12 @@ class Compounds:
             return found
 
         return rest(begin, 1, "") or None
+
+    def _only_ends(self, words: list[str], end: int, after: int) -> bool:
+        """Whether what follows a command is a stop, or is joined with it and only says to wait where it ends: "and wait
+        *there*". "And hold on" may take it back."""
+        waits = after > end and self._phrases.hold.at(words, after) == len(words) - after and words[-1] in self._where
+        return waits or self._phrases.only_stops(words, after)
 
     def _at_first_of_all(self, part: Utterance, state: Collection[str], exactly: bool) -> Clause | None:
         """The command that a part is but for a "first" at its end, behind which others follow. None: it has none."""

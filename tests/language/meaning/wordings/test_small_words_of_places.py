@@ -51,6 +51,7 @@ def house(engine_of) -> IntentEngine:
         ("knock once, no, three times", "knock three times"),
         ("go to the kitchen and drop the box there", "go to the kitchen, then drop the box"),
         ("go to the kitchen and ring over there", "go to the kitchen, then ring"),
+        ("go to the kitchen and wait there", "go to the kitchen"),  # every command ends at rest
         ("roll two meters left", "roll left two meters"),  # though a command begins with a number
         ("roll a bit to the left, two meters", "roll left two meters"),
         ("roll left a little, say two meters", "roll left two meters"),
@@ -73,6 +74,7 @@ def test_it_is_understood(house: IntentEngine, said: str, plain: str) -> None:
         "knock no twice", "knock three times, no, never", "don't knock three times, no, twice",
         "take the box from well 7 and drop the towel over there now or later", "drop the box there",
         "take the box from the kitchen and ring there", "don't go to the kitchen and ring there",
+        "go to the kitchen and hold on", "go to the kitchen and wait there for Anna", "wait there",
         "roll left a bit", "a bit, two meters", "roll, a bit, no",
         "turn the lights", "the lights turn on", "don't turn the lights on", "is turn the lights on",
         "somebody turned the lights on", "turn on the radio", "fetch another kitchen",
