@@ -33,6 +33,9 @@ MISTAKES: dict[str, str | bytes] = {
     "brackets that cross": says("wave (at]"),
     "an empty alternative": says("wave (at||to)"),
     "a slot and its second name the other way round": says("wave {far:way}", "slots:\n  way: distance\n"),
+    "two slots and their second names the other way round": says(
+        "wave {from:way} {to:way}", "slots:\n  way: distance\n"
+    ),
     "a percentage as a plain number": slot("{type: percent, min: 0, max: 80}"),
     "a part of one where numbers are percent": slot("{type: percent, max: 1, unit: percent}"),
     "a unit of a number that has none": slot("{type: number, unit: degrees}"),
