@@ -107,5 +107,7 @@ class FreeWordsKept:
 
 
 def _counts(reading: Reading, at: int) -> bool:
-    """Whether the word at a place is all of a number."""
-    return any(slot.slot.type == "number" and (slot.start, slot.end) == (at, at + 1) for slot in reading.slots)
+    """Whether the word at a place is all of a number, and a word of the sentence says of what."""
+    after = any(slot.start == at + 1 for slot in reading.slots)
+    number = any(slot.slot.type == "number" and (slot.start, slot.end) == (at, at + 1) for slot in reading.slots)
+    return number and not after

@@ -63,5 +63,16 @@ def test_one_of_what_is_counted(farm: IntentEngine, said: str) -> None:
     assert_same(farm, said, "print one copy of the vase")
 
 
+def test_an_article_counts_nothing_where_any_thing_follows(engine_of) -> None:
+    grammar = """
+language: en
+slots: {count: {type: number, whole: true, max: 9}, thing: {type: text, max_words: 3}}
+intents:
+  bring: {action: custom, sentences: ["bring {thing}", "bring {count} {thing}"]}
+"""
+    (action,) = engine_of(grammar).parse("bring a box").actions
+    assert dict(action.slots) == {"thing": "box"}
+
+
 def test_the_reason_tells_which_words(farm: IntentEngine) -> None:
     assert "'in black pla' is no part of a name" in farm.parse("print the bracket in black PLA").reason
