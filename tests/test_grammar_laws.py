@@ -148,9 +148,9 @@ def law(few: int, many: int, sentences: int) -> Callable[[Callable[..., None]], 
 
 
 def meaning(found: Interpretation) -> tuple[Any, ...]:
-    """What is ambiguous is named by the first of its intents, and that is a matter of their order."""
-    intent = None if found.status is Status.AMBIGUOUS else found.intent
-    return found.status, intent, found.slots, found.actions
+    """What is ambiguous has the name and the slots of the first of its ways, and that is a matter of their order."""
+    first = found.status is Status.AMBIGUOUS
+    return found.status, None if first else found.intent, {} if first else found.slots, found.actions
 
 
 def said_without_slots(spec: Spec, sample: Sample, found: Interpretation) -> bool:

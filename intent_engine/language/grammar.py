@@ -299,6 +299,7 @@ class Grammar:
 
     language: str
     fillers: tuple[tuple[str, ...], ...]
+    """What says nothing, wherever it stands."""
     phrases: Mapping[str, Node]
     slots: Mapping[str, Slot]
     intents: Mapping[str, Intent]
@@ -307,6 +308,8 @@ class Grammar:
     """Heard word -> words that may have been meant."""
     homophones: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Word -> words of the grammar that sound the same, or are the same word spelled otherwise."""
+    own_fillers: bool = False
+    """Whether the file says itself what says nothing."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()

@@ -172,11 +172,13 @@ class Commands:
         return reading.words[0] not in self.not_verbs and all(slot.start > 0 for slot in reading.slots)
 
     def lists(self, words: list[str]) -> bool:
-        """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""
+        """Whether words are a command without a verb, as one says it in a list: "left, right, left"; or one of several
+        words whose verb no file calls a filler: "go on" of "go on and turn left"."""
         if not words or words[0] not in self.first_words:
             return False
         readings = [reading for reading in self.matcher.read(words) if not reading.problem]
-        return bool(readings) and not any(map(self.opens_with_a_verb, readings))
+        several = len(words) > 1 and not self.matcher.grammar.own_fillers
+        return bool(readings) and (several or not any(map(self.opens_with_a_verb, readings)))
 
     def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:
         """Whether free words are the end of a thing's name and the beginning of a command: "the cup go forward".
@@ -238,11 +240,8 @@ class Commands:
         ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
-        readings = [
-            one
-            for one in readings
-            if not one.free_words or (self._ways_on.behind_a_name(one) is None and not self._free.points(one))
-        ]
+        readings = [one for one in readings if not one.free_words or self._ways_on.behind_a_name(one) is None]
+        readings = [one for one in readings if not (one.free_words and self._free.points(one))]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         readings = [one for one in readings if not cuts_digits(words, one, self.matcher.grammar.language)]
         if not self._telling.isdisjoint(words):

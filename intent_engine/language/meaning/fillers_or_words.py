@@ -45,13 +45,16 @@ class FillersOrWords:
             state: of the robot.
         """
         phrases = self._phrases
-        clause = self._exact(core, state)
+        kept, clause = core, self._exact(core, state)
         if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
-            clause = self._exact(phrases.without_idle_fillers(said), state)
+            kept = phrases.without_idle_fillers(said)
+            clause = self._exact(kept, state)
         if clause is None:  # "robot, wait for me here", of which both are
-            clause = self._exact(phrases.without_opening(said), state)
+            kept = phrases.without_opening(said)
+            clause = self._exact(kept, state)
         if clause is None:  # "light hey on", of a grammar that has free names besides
-            clause = self._exact(phrases.without_greetings(said), state)
+            kept = phrases.without_greetings(said)
+            clause = self._exact(kept, state)
             if clause is not None and clause.reading is not None and clause.reading.free_words:
                 clause = None  # "say thank you to everybody here", of a slot that has not so many words
         less = phrases.without_whole_fillers(said)
@@ -64,6 +67,8 @@ class FillersOrWords:
             return other
         if clause.action == other.action or clause.reading.free_words < other.reading.free_words:
             return clause
+        if not set(kept.words) <= set(less.words):
+            return clause  # "slightly more right now" has a "more" that no "slightly right" has
         meanings = (described(clause.reading), described(other.reading))
         return Clause(clause.reading, reason=_TWO_THINGS, alternatives=meanings, ambiguous=True)
 

@@ -59,11 +59,9 @@ class FreeText:
         self._whither = words.joining.intersection(words.contracted)
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
-        self._parted = frozenset(grammar.wording.parted)
-        """Words that belong to a verb and stand last: "hol die Tasse *raus*"."""
+        self._parted = frozenset(grammar.wording.parted)  # which belong to a verb: "hol die Tasse *raus*"
         self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
-        english = grammar.language == "en"
-        self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()
+        self._begun = shortened(operators.closed | words.pronouns) if self._language == "en" else frozenset[str]()
         """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""
         self._besides, self._softens = ToldBesides(grammar), PhraseSet(grammar.wording.softens)
         self.unfinished = words.unfinished
@@ -212,10 +210,9 @@ class FreeText:
         allowed = slot.allow
         if never := self._words.never.intersection(said) - allowed - slot.known - self._words.either:
             return never
-        if 0 < (again := self._once_more.ends(said)) < len(said):
-            return frozenset((" ".join(said[-again:]),))
-        if len(said) > 1 and said[-1] in self._parted and not _meant(slot, said[-1]):
-            return frozenset((said[-1],))
+        behind = self._once_more.ends(said) or int(said[-1] in self._parted and not _meant(slot, said[-1]))
+        if 0 < behind < len(said):
+            return frozenset((" ".join(said[-behind:]),))
         bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some
         if bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
@@ -223,10 +220,9 @@ class FreeText:
             word = said[place]
             where = word in self._going_on and word not in self._words.whither
             led = bool(slot.known) and said[place - 1] in self._words.pronouns  # else there may be an "us flag"
-            if led and not where and word not in allowed:
-                return frozenset((word,))
             besides = (word in self._words.pronouns or word in self._begun) and word not in allowed
-            if (besides or word in self._words.telling) and said[place - 1] not in self._binding:
+            besides = (besides or word in self._words.telling) and said[place - 1] not in self._binding
+            if besides or (led and not where and word not in allowed):
                 return frozenset((word,))  # "the cup, wash it" does something else besides
             last = place == len(said) - 1
             begins = word in self._words.next_begins and not (last and len(word) == 1)  # "box a" has a letter

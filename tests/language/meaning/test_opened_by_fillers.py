@@ -21,6 +21,7 @@ from meanings import does
         ("don't go and wait for me in the bedroom", "rejected"),
         ("go and turn left", "left 43"),
         ("go and go", "forward 1"),
+        ("right now, slightly more", "again"),
     ],
 )
 def test_what_they_open(said: str, meant: str) -> None:

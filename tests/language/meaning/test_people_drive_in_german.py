@@ -79,3 +79,8 @@ def test_it_is_nothing(engine: IntentEngine, said: str) -> None:
 )
 def test_it_stops(engine: IntentEngine, said: str) -> None:
     assert [action.type for action in engine.parse(said, state=("moving",)).actions] == ["stop"]
+
+
+@pytest.mark.parametrize("said", ["such der flur die", "such den flur die"])
+def test_what_was_broken_off_at_an_article_is_not_put_in_another_order(engine: IntentEngine, said: str) -> None:
+    assert not engine.parse(said).actions

@@ -36,6 +36,8 @@ class PlacedFirst:
         self._leads = known.joining | known.binding | known.timed | known.delaying
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles
+        self._broken_off = known.definite.difference(*grammar.operators.pronoun)
+        """Words behind which something was to follow, at the end."""
         self._sized = grammar.wording.sized
         self._language = grammar.language
         self._phrases = phrases
@@ -45,6 +47,8 @@ class PlacedFirst:
         """Ways to say one command with such words later, each with where they stand then."""
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
+            return
+        if words[-1] in self._broken_off:
             return
         counting = [place for place in range(1, len(words)) if is_number(words[place], self._language)]
         if any(core.breaks[place] is None for place in counting[1:]):
