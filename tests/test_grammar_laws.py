@@ -213,7 +213,9 @@ def test_of_two_commands_both_are_done_in_order_or_none(spec, engine, samples, d
         for joint in ("and", "then", "and then"):
             text = f"{one} {joint} {other}"
             as_one = engine.matcher().read(engine.matcher().heard(text).words)
-            assert as_one or engine.parse(text).actions in ((), first + second), text
+            opens = (*one.split(), *joint.split()) in engine.grammar.fillers  # "go on and", though one may go on
+            done = second if opens else first + second
+            assert as_one or engine.parse(text).actions in ((), done), text
         for no in ("no,", "I mean", "no wait", "sorry,"):
             assert len(engine.parse(f"{one} {no} {other}").actions) < 2, f"{one} {no} {other}"
 

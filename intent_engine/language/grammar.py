@@ -308,8 +308,6 @@ class Grammar:
     """Heard word -> words that may have been meant."""
     homophones: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Word -> words of the grammar that sound the same, or are the same word spelled otherwise."""
-    own_fillers: bool = False
-    """Whether the file says itself what says nothing."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()

@@ -292,7 +292,6 @@ class _Builder:
         grammar = Grammar(
             language=self.language,
             fillers=self._said(self._fillers()),
-            own_fillers=self.fillers is not None,
             around=self._beside_numbers(default_around(self.language)),
             counting=self._beside_numbers(default_counting(self.language)),
             counted=self._beside_numbers(default_counted(self.language)),

@@ -172,13 +172,11 @@ class Commands:
         return reading.words[0] not in self.not_verbs and all(slot.start > 0 for slot in reading.slots)
 
     def lists(self, words: list[str]) -> bool:
-        """Whether words are a command without a verb, as one says it in a list: "left, right, left"; or one of several
-        words whose verb no file calls a filler: "go on" of "go on and turn left"."""
+        """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""
         if not words or words[0] not in self.first_words:
             return False
         readings = [reading for reading in self.matcher.read(words) if not reading.problem]
-        several = len(words) > 1 and not self.matcher.grammar.own_fillers
-        return bool(readings) and (several or not any(map(self.opens_with_a_verb, readings)))
+        return bool(readings) and not any(map(self.opens_with_a_verb, readings))
 
     def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:
         """Whether free words are the end of a thing's name and the beginning of a command: "the cup go forward".

@@ -179,10 +179,9 @@ class Phrases:
                 return None
             start += skipped
         end = start + length
-        first = list(self._before_joint(said.words[start:end]))
-        longer = self.sequence.at(said.words, start + len(first)) > length - len(first)  # "go on and then turn left"
-        if end == len(said) or longer or any(said.breaks[start + 1 : end + 1]):
+        if end == len(said) or any(said.breaks[start + 1 : end + 1]):
             return None
+        first = list(self._before_joint(said.words[start:end]))
         return first, said.part(start + len(first), len(said))
 
     def _agreed(self, said: Utterance) -> tuple[list[str], Utterance] | None:

@@ -220,16 +220,6 @@ def test_where_it_may_be_a_command_or_open_one_nothing_is_done(engine, text):
     assert "pause" in found.reason
 
 
-def test_so_may_a_filler_that_is_a_command_of_the_grammar_unless_its_file_calls_it_one(engine_of):
-    intents = "on: {{action: custom, sentences: [go on]}}, up: {{action: custom, sentences: [get up]}}"
-    grammar = f"language: en{{}}\nintents: {{{{{intents}}}}}"
-    usual, own = engine_of(grammar.format("")), engine_of(grammar.format("\nfillers: [go on and]"))
-    assert usual.parse("go on and get up").status is Status.AMBIGUOUS
-    for text in ("go on, and get up", "go on and then get up"):
-        assert [action.name for action in usual.parse(text).actions] == ["on", "up"]
-    assert [action.name for action in own.parse("go on and get up").actions] == ["up"]
-
-
 @pytest.mark.parametrize(("text", "status"), [("right then", "rejected"), ("right then don't go", "rejected")])
 def test_nor_is_it_one_without_another(engine, text, status):
     assert engine.parse(text).status == status
