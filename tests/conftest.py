@@ -159,11 +159,14 @@ def speak() -> Callable[[IO[bytes], np.ndarray], None]:
 
     def write(pipe: IO[bytes], samples: np.ndarray) -> None:
         sound = np.concatenate((np.zeros(int(QUIET * 16_000)), samples))
-        with contextlib.suppress(BrokenPipeError):
+        try:
             for start in range(0, sound.size, 1_600):
                 pipe.write((sound[start : start + 1_600] * 32_767).astype("<i2").tobytes())
                 pipe.flush()
                 time.sleep(0.1)
+        except BrokenPipeError:  # whoever listened has ended; what it did not take would be written once more
+            with contextlib.suppress(BrokenPipeError):
+                pipe.close()
 
     return write
 
@@ -183,6 +186,8 @@ def spoken_to(speak: Callable[[IO[bytes], np.ndarray], None]) -> Callable[..., s
                 told = process.stderr.readline()
                 if b"listening to" in told:
                     speak(process.stdin, samples)
+                if process.stdin.closed:
+                    process.stdin = None  # communicate() would flush it
                 out, error = process.communicate(timeout=120)
             finally:
                 process.kill()
