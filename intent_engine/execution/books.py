@@ -108,11 +108,8 @@ class Books:
         if not self._had(self.ANSWER):
             yield None
             return
-        try:
-            with self.locked() as now:
-                yield now
-        finally:
-            self.lock.release()
+        with self._given_back() as now:
+            yield now
 
     @contextmanager
     def resting(self) -> Iterator[float | None]:
@@ -137,13 +134,19 @@ class Books:
                 self.stop(Reason.ROBOT_ERROR, EventKind.STOP)
                 yield None
                 return
-            try:
-                with self.locked() as now:
-                    yield now
-            finally:
-                self.lock.release()
+            with self._given_back() as now:
+                yield now
         finally:
             self._gate.entered(hold)
+
+    @contextmanager
+    def _given_back(self) -> Iterator[float]:
+        """The same with a lock that is had already, and given back at the end."""
+        try:
+            with self.locked() as now:
+                yield now
+        finally:
+            self.lock.release()
 
     def _had(self, patience: float) -> bool:
         """Whether the lock could be had within so many s. That it could not is told once."""
@@ -185,11 +188,8 @@ class Books:
     def enter_late(self) -> None:
         """Enter what is still to be entered, if the lock can be had soon; the executor's thread does it otherwise."""
         if self._late and self.lock.acquire(timeout=self.CLOSING):
-            try:
-                with self.locked():
-                    pass
-            finally:
-                self.lock.release()
+            with self._given_back():
+                pass
 
     def _end_what_they_end(self, stop: StopCall, now: float) -> None:
         """Enter a stop, under the lock. Those that came too late before it end nothing that it does not."""
