@@ -102,7 +102,7 @@ class WrittenOtherwise:
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
         often = HowOften(self._matcher.grammar, phrases)
-        rules = (*OneOfIt(commands).rules, often.rule, *ByNumber(self._matcher.grammar).rules)
+        rules = (*OneOfIt(commands).rules, often.rule, ByNumber(self._matcher.grammar).rule)
         self._numbers = (*NUMBERS, *rules, *GivenTo(commands).rules)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.quantities import evaluate
@@ -15,12 +14,11 @@ from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["ByNumber"]
 
-_Rule = tuple[Callable[[Utterance, str], Utterance | None], Callable[[Utterance, Sequence[Reading], str], bool]]
 _MOST = 99
 
 
 class ByNumber:
-    """Reads such a number as an ordinal before its noun, with an article and without. English alone writes "3rd".
+    """Reads such a number as an ordinal before its noun, with an article. English alone writes "3rd".
 
     Args:
         grammar: whose nouns and ordinals they are.
@@ -32,12 +30,11 @@ class ByNumber:
         known = thing_words(grammar.language)
         self._articles, self._definite = known.articles, sorted(known.definite)
         self._no_noun = known.joining | known.articles | known.alone
-        self.rules: tuple[_Rule, ...] = tuple((partial(self._told, led=led), self._is_meant) for led in (False, True))
-        """It as some of those in which numbers are written otherwise."""
+        self.rule = (self.told, self.is_meant)
+        """It as one of those in which numbers are written otherwise."""
 
-    def _told(self, said: Utterance, language: str, *, led: bool) -> Utterance | None:
-        """The utterance with the one number of it in order, its article before it where it is to be ``led``; None: it
-        has none, or several."""
+    def told(self, said: Utterance, language: str) -> Utterance | None:
+        """The utterance with the one number of it in order, behind an article; None: it has none, or several."""
         place = self._place(said, language)
         if place is None:
             return None
@@ -45,10 +42,8 @@ class ByNumber:
         value = evaluate(said.words[noun + 1 : end], "number", language)
         if not isinstance(value, float) or not value.is_integer() or not 0 < value <= _MOST:
             return None
-        has_one = said.words[noun - 1] in self._articles
-        article = self._definite[:1] if led and not has_one else []
-        words = [*article, _ordinal(int(value)), said.words[noun]]
-        return said.with_other(noun, end, Utterance.in_one_breath(words)) if led != has_one or article else None
+        article = [] if said.words[noun - 1] in self._articles else self._definite[:1]
+        return said.with_other(noun, end, Utterance.in_one_breath([*article, _ordinal(int(value)), said.words[noun]]))
 
     def _place(self, said: Utterance, language: str) -> tuple[int, int] | None:
         """Where the noun stands, in one breath with its number, and where the number ends."""
@@ -64,7 +59,7 @@ class ByNumber:
             at = max(end, at + 1)
         return found[0] if len(found) == 1 else None
 
-    def _is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
+    def is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
         """Whether the noun stands straight behind an ordinal, and no words are free."""
         place = self._place(said, language)
         if place is None or any(reading.free_words for reading in readings):

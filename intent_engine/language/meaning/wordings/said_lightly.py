@@ -103,12 +103,7 @@ class SaidLightly:
             start = next_begins(core, max(at, start), self._phrases)
         for at in range(2, len(core) - 1):  # "roll forward *a bit*, twenty centimeters"
             length = self._vague.at(words, at)
-            if (
-                length
-                and at + length < len(core)
-                and core.breaks[at + length]
-                and not any(core.breaks[at : at + length])
-            ):
+            if length and any(core.breaks[at + length : at + length + 1]) and not any(core.breaks[at : at + length]):
                 yield at, length
         namely = next((at for at in range(2, len(core) - 1) if core.breaks[at] and self._namely.at(words, at)), None)
         if namely is not None and not any(core.breaks[namely + 1 :]):
