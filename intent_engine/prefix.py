@@ -47,6 +47,8 @@ class Prefix:
     settled: bool = False
     """A whole command of which further words could only change the manner, as a speed does: what is to be done is
     said."""
+    manner: bool = False
+    """A whole command that may go on to a speed."""
     resting: bool = False
     """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
 
@@ -73,7 +75,8 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
     status = _status(matcher, reached)
     settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
     resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
-    return Prefix(status, _next_words(matcher, reached), count, settled, resting)
+    manner = status is PrefixStatus.EXTENDABLE and matcher.tells_manner(words)
+    return Prefix(status, _next_words(matcher, reached), count, settled, manner, resting)
 
 
 def _next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:

@@ -25,9 +25,11 @@ class Continuation(IntEnum):
     """The sentence is over."""
     WORDS = 1
     """Words that fill no slot, which may make another sentence of it: "turn" + "around"."""
-    MANNER = 2
-    """How: a speed, or more of a quantity that is whole already ("two meters" + "and a half")."""
-    CONTENT = 3
+    MORE = 2
+    """More of a quantity that is whole already: "two meters" + "and a half"."""
+    MANNER = 3
+    """How: a speed."""
+    CONTENT = 4
     """What: a distance, a name, an object."""
 
 
@@ -64,7 +66,7 @@ class Continuations:
                     found = frozenset({self._kind(mark)})
                 elif self._is_quantity(mark):
                     # Nobody rests in the middle of a quantity, so what would come after its other end is far off.
-                    within |= {Continuation.MANNER for one in found if one}
+                    within |= {Continuation.MORE for one in found if one}
                     found = frozenset(one for one in found if not one)
                 else:
                     found = frozenset(Continuation.CONTENT if one else one for one in found)

@@ -154,7 +154,7 @@ class Matcher:
         return Continuations(self.networks, {slot.name: slot.type for slot in self.grammar.slots.values()})
 
     def settled(self, words: Sequence[str]) -> bool:
-        """Whether what may follow a whole command is no more than the manner of it.
+        """Whether what may follow a whole command is no more than the manner of it, or more of a quantity.
 
         Fillers at the end say nothing about that: "go forward for me" may be heard of "go forward four meters".
         """
@@ -164,12 +164,16 @@ class Matcher:
         last, language = (words[-1] if words else ""), self.grammar.language
         if rest and (last in NUMBER_WORDS or is_number(last, language)):
             return False  # "one hundred" may go on to "and twenty"
-        return rest <= {Continuation.MANNER}
+        return rest <= {Continuation.MORE, Continuation.MANNER}
+
+    def tells_manner(self, words: Sequence[str]) -> bool:
+        """Whether a speed may follow a whole command."""
+        return Continuation.MANNER in self.ahead(words)
 
     def resting(self, words: Sequence[str]) -> bool:
         """Whether a whole command ends in a quantity that may go on, and people rest there ("in an hour")."""
         resting = quantities.people_rest_after(words, self.grammar.language)
-        return resting and Continuation.MANNER in self.ahead(words)
+        return resting and Continuation.MORE in self.ahead(words)
 
     def _without_filler(self, words: Sequence[str]) -> Sequence[str] | None:
         """Words without the filler at their end; None: there is none."""

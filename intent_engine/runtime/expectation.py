@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
+from intent_engine.actions import Custom
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.context.references import Before
 from intent_engine.language.utterance import plain
@@ -60,7 +61,9 @@ class Expectation:
                 return meaning, Outlook.COMPLETE
             amended = amendable and can_be_amended(meaning)
             rests = prefix.resting or self._as_like_unfinished(transcript, language)
-            if not prefix.settled or (rests and not amended):
+            # The speed of what a user's program does is a value like any other.
+            told = prefix.settled and not (prefix.manner and any(isinstance(one, Custom) for one in meaning.actions))
+            if not told or (rests and not amended):
                 # What cannot be put right is waited for one step longer, and so is what was hardly heard.
                 longer = (not amended) + _hardly_heard(transcript)
                 return meaning, (Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL)[longer]

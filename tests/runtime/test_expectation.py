@@ -79,6 +79,24 @@ def test_a_motion_that_cannot_be_put_right_waits_for_its_manner(judge):
 
 @pytest.mark.parametrize(
     ("text", "outlook"),
+    [
+        ("fly north ten meters", Outlook.EXTENDABLE),  # "at two meters per second"
+        ("fly north ten meters at two meters per second", Outlook.COMPLETE),
+        ("climb ten meters", Outlook.SETTLED),  # "and a half"
+    ],
+)
+def test_the_speed_of_what_a_program_does_is_a_value_like_any_other(tmp_path, text, outlook):
+    file = tmp_path / "drone.yaml"
+    file.write_text(
+        "slots: {length: distance, pace: speed}\n"
+        "intents: {fly: {action: custom, sentences: ['fly north {length} [at {pace}]', 'climb {length}']}}\n"
+    )
+    judge = Judge(IntentEngine.from_files(file))
+    assert expected(judge, Transcript(text, 0.0, "-", confidence=1.0), amendable=True)[1] is outlook
+
+
+@pytest.mark.parametrize(
+    ("text", "outlook"),
     [("sleep for an hour", Outlook.EXTENDABLE), ("sleep for ten minutes", Outlook.SETTLED)],
 )
 def test_who_says_an_hour_may_go_on_after_a_rest(tmp_path, text, outlook):

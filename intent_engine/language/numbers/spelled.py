@@ -7,6 +7,7 @@ from functools import cache, lru_cache
 
 from intent_engine.language.numbers import english_parts, english_words, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.ordinals_spelled import ordinal_otherwise
 from intent_engine.language.numbers.units import units
 
 __all__ = ["figures_otherwise", "in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
@@ -101,7 +102,12 @@ def in_digits(words: Sequence[str], language: str | None = "en") -> tuple[str, .
 
 def number_otherwise(words: Sequence[str]) -> tuple[int, tuple[tuple[str, ...], ...]]:
     """The number in digits or in English words that some words begin with: how many words it has (0: there is none),
-    and all other ways to write it, if it is whole: "204", "two hundred and four" and "two oh four"."""
+    and all other ways to write it, if it is whole: "204", "two hundred and four" and "two oh four"; "21st" and "twenty
+    first"."""
+    count, ordinal = ordinal_otherwise(words)
+    if count:
+        apart = in_digits(words[:count])  # "twenty second": 22nd, and what lasts twenty seconds
+        return count, tuple(dict.fromkeys(way for way in (ordinal, apart) if way != tuple(words[:count])))
     end = number_end(words, 0)
     if not end:
         return 0, ()

@@ -8,7 +8,7 @@ import operator
 from collections.abc import Iterator
 from functools import lru_cache
 
-from intent_engine.language.numbers.spelled import number_end, number_otherwise
+from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
 __all__ = ["numbers_either_way"]
@@ -18,7 +18,7 @@ def numbers_either_way(node: Node) -> Node:
     """An English template with every number in it also in digits and in words. One without numbers is given back."""
     match node:
         case Word(text):
-            return _number((text,)) if number_end([text], 0) else node
+            return _number((text,)) if number_otherwise([text])[0] else node
         case Choice(items) | AnyOrder(items):
             otherwise = tuple(map(numbers_either_way, items))
             return node if _same(items, otherwise) else type(node)(otherwise)
@@ -40,10 +40,10 @@ def _sequence(items: tuple[Node, ...]) -> Iterator[Node]:
     words = [item.text if isinstance(item, Word) else "" for item in items]
     at = 0
     while at < len(items):
-        end = number_end(words, at)
-        if end > at:
-            yield _number(tuple(words[at:end]))
-            at = end
+        count, _ = number_otherwise(words[at:])
+        if count:
+            yield _number(tuple(words[at : at + count]))
+            at += count
         else:
             yield numbers_either_way(items[at])
             at += 1

@@ -120,5 +120,13 @@ def _changed(unit: list[str], again: list[str]) -> int:
 
 
 def _begins(unit: list[str], rest: list[str]) -> bool:
-    """Whether the rest is the unit cut off somewhere, perhaps within a word."""
-    return not rest or (unit[: len(rest) - 1] == rest[:-1] and unit[len(rest) - 1].startswith(rest[-1]))
+    """Whether the rest is the unit cut off somewhere, perhaps within a word; or begun again and again ("stir. stir.
+    stir")."""
+    places = [0]  # of the rest, up to which it is made of beginnings of the unit
+    for place in places:
+        last = rest[place:]
+        if not last or (unit[: len(last) - 1] == last[:-1] and unit[len(last) - 1].startswith(last[-1])):
+            return True
+        begun = next((at for at, (one, other) in enumerate(zip(unit, last, strict=False)) if one != other), len(unit))
+        places += (place + length for length in range(1, begun + 1) if place + length not in places)
+    return False

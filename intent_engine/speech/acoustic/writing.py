@@ -10,6 +10,7 @@ from typing import Any
 
 from intent_engine.language.normalize import TITLES, elided, without_accents
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.ordinals_spelled import ordinals_in_figures
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.numbers.units import units
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -54,16 +55,19 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: numbers in words, and in digits, "60%" and in other languages than English "45°";
-    names small and plain, and with a capital; in English "José", and "Jose"; a wake word without a comma after it, and
-    with one.
+    """Words as they may be spelled: numbers in words, and in digits, "60%", in English "20th", and in other languages
+    "45°"; names small and plain, and with a capital; in English "José", and "Jose"; a wake word without a comma after
+    it, and with one.
 
     Args:
         words: normalised.
         language: of the words.
         names: how words are written that are not small and plain; None: all are.
     """
-    numbers = dict.fromkeys((tuple(words), *_with_signs(in_digits(words, language), language)))
+    counted = [in_digits(words, language)]
+    if language in (None, "en") and (ordinals := ordinals_in_figures(words)) != tuple(words):
+        counted.append(in_digits(ordinals))
+    numbers = dict.fromkeys((tuple(words), *(one for way in counted for one in _with_signs(way, language))))
     named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
     found = dict.fromkeys((*numbers, *named))
     if language in (None, "en") and not all(map(str.isascii, words)):

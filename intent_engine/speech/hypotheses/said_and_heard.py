@@ -27,6 +27,7 @@ from intent_engine.speech.hypotheses.narration import (
     SUBJECTS,
     asks_whether,
     lets_another,
+    misheard,
     told,
     verbless,
 )
@@ -157,8 +158,10 @@ class SaidAndHeard:
         return bool(begin_of(self.words)) or self.grammar.parse(" ".join(self.words), self.language).stops
 
     def _verbless(self, lead: int) -> bool:
-        heard = [one[self.grammar.lead(one, self.language) :] for one in self.heard]
-        return self._english and verbless(self.words, lead, heard)
+        led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
+        if any(count and misheard(one[count - 1], self.words[lead]) for one, count in led):
+            return False  # "and half a teaspoon" for "add half a teaspoon"
+        return self._english and verbless(self.words, lead, [one[count:] for one, count in led])
 
     @property
     def _english(self) -> bool:

@@ -4,7 +4,7 @@ which may be meant at all.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from statistics import fmean
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.networks.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.ordinals_spelled import ordinals_in_words
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import without_enumeration
 from intent_engine.language.wording import Wording
@@ -104,7 +105,7 @@ class SpokenGrammar:
         matcher, text = self._engine.matcher(self._own(language)), without_enumeration(text)
         said = matcher.heard(text, language or "en")
         words = (matcher.spacing.otherwise(said) or said).words
-        return in_words(said_of_signs(words, language), language)
+        return ordinals_in_words(in_words(said_of_signs(words, language), language))
 
     def as_written(self, language: str | None = None) -> Mapping[str, str]:
         """Words that the grammar or the map writes with a capital or an apostrophe, by the same small and plain."""
@@ -161,12 +162,7 @@ class SpokenGrammar:
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(
-        self,
-        words: Sequence[str],
-        story: Iterable[str] = (),
-        language: str | None = None,
-        *,
-        heard: Collection[str] = (),
+        self, words: Sequence[str], story: Iterable[str] = (), language: str | None = None, *, heard: Sequence[str] = ()
     ) -> bool:
         """Whether a sentence may be meant: what would not be accepted was not said, except that something shall not be
         done, and numbers beyond their limits ("gate seventy" is not to be "gate seven"); nobody says hardly anything
@@ -178,7 +174,7 @@ class SpokenGrammar:
             story, heard: as for :func:`~intent_engine.speech.hypotheses.narration.leaves_out`.
             language: of the speech.
         """
-        if leaves_out(words, story, heard):
+        if leaves_out(words, story, [heard]):
             return False
         meaning = self.parse(" ".join(words), language)
         # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.

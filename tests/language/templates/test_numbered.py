@@ -17,7 +17,7 @@ language: en
 phrases:
   gear: "gear twenty one"
 slots:
-  level: [level 2, level three]
+  level: [level 2, level three, first level]
 intents:
   tune:
     action: {type: custom, name: tune}
@@ -28,6 +28,7 @@ intents:
       - "set {level}"
       - "(room 7|b 12|hall one hundred and five)"
       - "code 007"
+      - "mind the third rail"
 """
 
 
@@ -66,6 +67,7 @@ def places() -> IntentEngine:
         *("tune to channel 5", "tune to channel five", "use gear 21", "use gear twenty one", "use gear twenty-one"),
         *("make a 180", "make a one hundred eighty now", "make a one hundred and eighty", "make a one eighty"),
         *("set level two", "set level 2", "set level 3", "room seven", "b twelve", "b 12"),
+        *("set 1st level", "set first level", "mind the 3rd rail"),
         *("hall 105", "hall one hundred five", "hall one hundred and five", "code 007"),
     ],
 )
@@ -129,7 +131,23 @@ def test_how_a_number_is_said(number: str, ways: str) -> None:
     assert {" ".join(way) for way in number_otherwise([number])[1]} == {way for way in ways.split("|") if way}
 
 
-MAP = {name: {"x": x, "y": 0} for x, name in enumerate(("room 204", "building 3 room 12", "gate 1205", "lab 3b"))}
+@pytest.mark.parametrize(
+    ("number", "ways"),
+    [
+        ("third", "3rd"),
+        ("21st", "twenty first"),
+        ("twenty first", "21st|20 first"),
+        ("twenty second", "22nd|20 second"),
+    ],
+)
+def test_how_an_ordinal_is_written(number: str, ways: str) -> None:
+    assert {" ".join(way) for way in number_otherwise(number.split())[1]} == set(ways.split("|"))
+
+
+MAP = {
+    name: {"x": x, "y": 0}
+    for x, name in enumerate(("room 204", "building 3 room 12", "gate 1205", "lab 3b", "21st street"))
+}
 
 
 @pytest.mark.parametrize(
@@ -143,6 +161,8 @@ MAP = {name: {"x": x, "y": 0} for x, name in enumerate(("room 204", "building 3 
         ("go to building 3 room twelve", "building 3 room 12"),
         ("go to gate twelve oh five", "gate 1205"),
         ("go to lab three b", "lab 3b"),
+        ("go to twenty first street", "21st street"),
+        ("go to 21st street", "21st street"),
     ],
 )
 def test_the_number_of_a_place_is_said_as_people_say_it(places: IntentEngine, text: str, name: str) -> None:

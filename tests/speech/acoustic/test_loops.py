@@ -51,6 +51,8 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
             "Give me a large mocha with milk. Give me a large mocha with mil",
             "Give me a large mocha with milk.",
         ),
+        ("Stir for five minutes. Stir for five minutes. Stir. Stir. Stir", "Stir for five minutes."),
+        ("Stir for five minutes. Stir for five minutes. Stir for. Stir for five", "Stir for five minutes."),
         ("Right. Right.", "Right."),
         ("Turn left. Turn left.", "Turn left."),
         ("turn left, turn left", "turn left, turn left"),

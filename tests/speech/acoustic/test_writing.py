@@ -45,6 +45,9 @@ def test_it_is_read_as_the_same_words(words):
         ("avance de deux mètres", "fr", ["2 mètres"]),
         ("gira noventa grados", "es", ["90 grados", "90°"]),
         ("turn sixty percent", "en", ["60%"]),
+        ("weed the twentieth row", "en", ["20th row"]),
+        ("weed the fifth row in ten minutes", "en", ["fifth row in 10 minutes", "5th row in 10 minutes"]),
+        ("dans la vingtième rangée", "fr", []),
     ],
 )
 def test_numbers_are_written_in_digits_too(words, language, spelled):

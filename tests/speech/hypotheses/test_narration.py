@@ -52,11 +52,31 @@ def test_the_words_of_every_language_with_which_nothing_is_done(root):
     assert found.isdisjoint({"und", "dann", "nein", "stopp", "halt", "es"})
 
 
+@pytest.mark.parametrize(
+    ("text", "subject", "heard", "left_out"),
+    [
+        ("irrigate the lettuce", "i", "i regate the lettuce", False),
+        ("weed bed six", "we", "we bet six", False),
+        ("weed everything", "weve", "weve everything", False),
+        ("yaw right forty five degrees", "you", "you write forty five degrees", False),
+        ("ignite the burner", "i", "i night the burner", False),
+        ("open the door", "i", "i open the door", True),
+        ("open the door", "i", "i opened the door", True),
+        ("inspect the bridge", "i", "i expect the bridge", True),
+        ("wipe the table", "we", "we hide the table", True),
+        ("use the key", "you", "you lose the key", True),
+        ("unload nylon", "you", "you unload nylon", True),
+    ],
+)
+def test_the_beginning_of_a_verb_may_be_heard_as_who_does_something(text, subject, heard, left_out):
+    assert leaves_out(text.split(), [subject], heard=[heard.split()]) is left_out
+
+
 def test_no_word_is_misheard_as_one_that_was_heard():
     """ "Please won't watch in the front room": the "front" was heard as it is, so the "won't" is none."""
     words = ["please", "walk", "in", "the", "front", "room"]
-    assert leaves_out(words, ["wont"], heard=["please", "wont", "watch", "in", "the", "front", "room"])
-    assert not leaves_out(words, ["wont"], heard=["please", "walk", "in", "the", "wont", "room"])
+    assert leaves_out(words, ["wont"], heard=[["please", "wont", "watch", "in", "the", "front", "room"]])
+    assert not leaves_out(words, ["wont"], heard=[["please", "walk", "in", "the", "wont", "room"]])
 
 
 @pytest.mark.parametrize(

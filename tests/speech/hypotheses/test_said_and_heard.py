@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from intent_engine.engine import IntentEngine
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
@@ -20,6 +21,25 @@ from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 )
 def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sentence, heard, unheard):
     assert SaidAndHeard(grammar, sentence.split(), [heard.split()] * 2).begins_unheard() == unheard
+
+
+@pytest.mark.parametrize(
+    ("heard", "unheard"),
+    [
+        (["and two grams of salt"] * 2, ()),
+        (["and two grams of salt", "two grams of salt"], ()),
+        (["two grams of salt"] * 2, ("add",)),
+        (["so two grams of salt"] * 2, ("add",)),
+    ],
+)
+def test_a_verb_that_was_heard_as_a_little_word_before_a_number_was_heard(tmp_path, heard, unheard):
+    file = tmp_path / "kitchen.yaml"
+    file.write_text(
+        "slots: {amount: number}\nintents: {add: {action: custom, sentences: ['add {amount} grams of salt']}}\n"
+    )
+    grammar = SpokenGrammar(IntentEngine.from_files(file))
+    said = SaidAndHeard(grammar, ["add", "two", "grams", "of", "salt"], [one.split() for one in heard])
+    assert said.begins_unheard() == unheard
 
 
 @pytest.mark.parametrize(

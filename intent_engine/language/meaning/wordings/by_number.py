@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.numbers.ordinals_spelled import in_figures
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -43,7 +44,7 @@ class ByNumber:
         if not isinstance(value, float) or not value.is_integer() or not 0 < value <= _MOST:
             return None
         article = [] if said.words[noun - 1] in self._articles else self._definite[:1]
-        return said.with_other(noun, end, Utterance.in_one_breath([*article, _ordinal(int(value)), said.words[noun]]))
+        return said.with_other(noun, end, Utterance.in_one_breath([*article, in_figures(int(value)), said.words[noun]]))
 
     def _place(self, said: Utterance, language: str) -> tuple[int, int] | None:
         """Where the noun stands, in one breath with its number, and where the number ends."""
@@ -67,8 +68,3 @@ class ByNumber:
         noun = said.words[place[0]]
         ordinals = [(one, slot) for one in readings for slot in one.slots if slot.slot.type == "ordinal"]
         return len(ordinals) == 1 and ordinals[0][0].words[ordinals[0][1].end :][:1] == (noun,)
-
-
-def _ordinal(number: int) -> str:
-    teens = number % 100 // 10 == 1
-    return f"{number}{'th' if teens else {1: 'st', 2: 'nd', 3: 'rd'}.get(number % 10, 'th')}"
