@@ -10,6 +10,7 @@ from typing import Any, get_type_hints
 
 from intent_engine.language.grammar import Operators
 from intent_engine.language.language_files import Keys, language_file
+from intent_engine.language.loading.word_lists import in_full
 from intent_engine.language.wording import Wording
 
 __all__ = [
@@ -74,7 +75,7 @@ def _file(language: str) -> Mapping[str, Any]:
 def _words(language: str) -> Mapping[str, tuple[str, ...]]:
     """The lists of it."""
     lists = ((key, items) for key, items in _file(language).items() if isinstance(items, list))
-    return {key: tuple(str(item) for item in items) for key, items in lists}
+    return {key: in_full(items) for key, items in lists}
 
 
 def _pairs(language: str, key: str) -> dict[str, tuple[str, ...]]:

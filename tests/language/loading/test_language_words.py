@@ -24,6 +24,7 @@ from intent_engine.language.loading.language_words import (
     default_opposites,
     default_wording,
 )
+from intent_engine.language.loading.word_lists import in_full
 
 FILES = sorted((Path(language_room.__file__).parent / "operators").glob("*.yaml"))
 
@@ -45,8 +46,9 @@ def test_every_word_of_a_file_is_of_use(file: Path) -> None:
     for held in astuple(default_wording(language, as_they_are)):
         used.update(word if isinstance(word, str) else " ".join(word) for word in held)
     written: dict[str, list[Any]] = yaml.safe_load(file.read_text("utf-8"))
-    unused = {key: set(map(str, words)) - used for key, words in written.items()}
+    unused = {key: set(in_full(words)) - used for key, words in written.items()}
     assert not {key: words for key, words in unused.items() if words}
+    assert not {word for word in used if not set("()[]|").isdisjoint(word)}
 
 
 def test_a_language_that_has_no_file() -> None:
