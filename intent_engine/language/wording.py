@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from intent_engine.language.words.phrase_set import PhraseSet
+
 __all__ = ["Wording"]
+
+_NONE = PhraseSet(())
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,27 +18,27 @@ class Wording:
 
     greetings: tuple[tuple[str, ...], ...] = ()
     """What may be dictated though it is nothing but fillers: "say hello"."""
-    thanking: tuple[tuple[str, ...], ...] = ()
+    thanking: PhraseSet = _NONE
     """What thanks, and makes an answer to somebody of a "no" before it: "no, *thanks*"."""
     hesitations: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which something may be said anew: "left, uh, right"."""
-    at_first: tuple[tuple[str, ...], ...] = ()
+    at_first: PhraseSet = _NONE
     """What says nothing behind the first of several commands: "close the door *first*, then start"."""
-    for_each: tuple[tuple[str, ...], ...] = ()
+    for_each: PhraseSet = _NONE
     """What says behind a list that the rest holds for each: "for ten minutes *each*"."""
     leads: frozenset[str] = frozenset()
     """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
     says_when: frozenset[str] = frozenset()
     """Those that say when before a time: "*in* ten minutes", but "*in* German"."""
-    besides: tuple[tuple[str, ...], ...] = ()
+    besides: PhraseSet = _NONE
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
     no_joints: tuple[tuple[str, ...], ...] = ()
     """What begins like a joint and is none: "*next to* the door"."""
-    at_times: tuple[tuple[str, ...], ...] = ()
+    at_times: PhraseSet = _NONE
     """What says how often where an utterance begins or ends, though its words may say nothing: "*now and then*"."""
-    in_its_place: tuple[tuple[str, ...], ...] = ()
+    in_its_place: PhraseSet = _NONE
     """What says nothing behind a command but that it takes the place of another: "go to the bedroom *instead*"."""
-    ways_back: tuple[tuple[str, ...], ...] = ()
+    ways_back: PhraseSet = _NONE
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     asks_for_doing: tuple[tuple[str, ...], ...] = ()
     """What asks for what a verb says behind it that ends in "-ing": "*would you mind* locking the door","""
@@ -82,21 +86,21 @@ class Wording:
     """Words that make another meaning of a command wherever they stand: "*at most* two", "this *or* that"."""
     ranging: frozenset[str] = frozenset()
     """Words between two numbers of which any between is meant: "two *to* four"."""
-    affirming: tuple[tuple[str, ...], ...] = ()
+    affirming: PhraseSet = _NONE
     """Answers that say yes to what is asked back."""
-    declining: tuple[tuple[str, ...], ...] = ()
+    declining: PhraseSet = _NONE
     """Answers that say that nothing of it is meant: "no", "neither"."""
     standing_for: frozenset[str] = frozenset()
     """Words for one of several things, behind what tells which: "the left *one*"."""
-    placed: tuple[tuple[str, ...], ...] = ()
+    placed: PhraseSet = _NONE
     """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     stands_for_noun: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Words for a noun that was named before, each with its articles: "la puerta de entrada y *la* de salida"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
-    there: tuple[tuple[str, ...], ...] = ()
+    there: PhraseSet = _NONE
     """What points to the place that the command before names, with its last word: "from *there*"."""
-    there_at_last: tuple[tuple[str, ...], ...] = ()
+    there_at_last: PhraseSet = _NONE
     """What says behind a whole command that it is done where the one before it went: "drop it *there*"."""
     of_persons: frozenset[str] = frozenset()
     """Pronouns for somebody who was named before, in the same utterance: "focus on the actor and follow *him*"."""
@@ -108,7 +112,7 @@ class Wording:
     """How a command is told to a stranger, and how to a friend: "-en sie/-e"."""
     asking: tuple[str, ...] = ()
     """How a friend is asked for something, and how it is told: "-st du/-e", "-es/-a"."""
-    kindly: tuple[tuple[str, ...], ...] = ()
+    kindly: PhraseSet = _NONE
     """Fillers that make an order of such a question: "schaltest du *bitte* die Pumpe ein?"."""
     told_as: tuple[str, ...] = ()
     """How else a verb may be told that ends so: "-e/-", "hole" for "hol"."""
@@ -118,7 +122,7 @@ class Wording:
     """Words for whom something is done that are written with the verb: "apága*me* la bomba"."""
     points: frozenset[str] = frozenset()
     """Words that point to a thing, as its article would: "*that* vial", "*your* horn"."""
-    wholes: tuple[tuple[str, ...], ...] = ()
+    wholes: PhraseSet = _NONE
     """What may stand before an article of all that there is: "*all* the carts", "*all of* that clay"."""
     sides: tuple[str, ...] = ()
     """Words for one way, each with the others for it: "left/to the left"."""
@@ -148,21 +152,21 @@ class Wording:
     """What ends an order without a verb: "lights *on*"."""
     switching: frozenset[str] = frozenset()
     """Verbs that say no more than these words do: "*turn* the lights on"."""
-    wishes_for: tuple[tuple[str, ...], ...] = ()
+    wishes_for: PhraseSet = _NONE
     """What somebody says who wants a thing: "*could I get* a mojito"."""
     takes_along: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Those that tell what somebody does himself, each with the words that say so: "*I'll take* the tea *to* her"."""
     wishes_done: tuple[tuple[str, ...], ...] = ()
     """What somebody says who wants something done: "*I want* the beacon turned on","""
-    to_be: tuple[tuple[str, ...], ...] = ()
+    to_be: PhraseSet = _NONE
     """and what may stand before the verb there: "*to be* turned on"."""
     permits: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """How somebody tells what may be done, each with the fillers that make an order of it: "*you can* land *now*","""
     pleads: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """and how he asks whether it may: "*can we* start, *please*?"."""
-    tells_of_it: tuple[tuple[str, ...], ...] = ()
+    tells_of_it: PhraseSet = _NONE
     """How somebody begins to tell why something is to be done: "*it is* dark, turn the lamp on","""
-    tells_of: tuple[tuple[str, ...], ...] = ()
+    tells_of: PhraseSet = _NONE
     """how he does of others than "it": "*I am* tired","""
     tells_of_whom: frozenset[str] = frozenset()
     """of somebody, with such a verb behind: "*they* look hungry","""
@@ -170,33 +174,33 @@ class Wording:
     """what may stand before a thing of which he tells: "*my* feet are cold","""
     tells_how: frozenset[str] = frozenset()
     """and the verb behind it: "my feet *are* cold"."""
-    somewhat: tuple[tuple[str, ...], ...] = ()
+    somewhat: PhraseSet = _NONE
     """What may stand before how something is, and names no thing: "it's *a bit* cold"."""
     tells_fully: frozenset[str] = frozenset()
     """Those with which all may be told: "die Gäste *warten*","""
     tells_who: frozenset[str] = frozenset()
     """also of these instead of a thing: "*hier* staubt es"."""
-    tells_alone: tuple[tuple[str, ...], ...] = ()
+    tells_alone: PhraseSet = _NONE
     """What tells all by itself: "*llueve*", "*piove*"."""
     tells_can: frozenset[str] = frozenset()
     """Words with which that tells that something may wait, the verb being the same: "die Gäste *können* warten"."""
-    perceives_none: tuple[tuple[str, ...], ...] = ()
+    perceives_none: PhraseSet = _NONE
     """What tells that nothing is seen or heard, and denies nothing: "*on n'entend rien*"."""
     tells_a_tale: frozenset[str] = frozenset()
     """Words with which the same tells no reason: "he is *saying* turn left"."""
-    why: tuple[tuple[str, ...], ...] = ()
+    why: PhraseSet = _NONE
     """What says before such a telling that it is a reason: "*because* it's dark","""
-    thinks: tuple[tuple[str, ...], ...] = ()
+    thinks: PhraseSet = _NONE
     """what says there that somebody thinks so: "*I think* it's dark","""
-    why_apart: tuple[tuple[str, ...], ...] = ()
-    """the same behind a pause alone, where in one breath it tells which is meant: "la puerta, *que* hace frío","""
-    why_of: tuple[tuple[str, ...], ...] = ()
+    why_apart: PhraseSet = _NONE
+    """what does behind a pause, where in one breath some of it tells which is meant: "la puerta, *que* hace frío","""
+    why_of: PhraseSet = _NONE
     """before a thing, or what is done then: "*because of* the trees", "*damit ich* etwas sehe","""
-    why_to: tuple[tuple[str, ...], ...] = ()
+    why_to: PhraseSet = _NONE
     """and, behind a pause or a filler, before what can be done then: "so that *I can* see"."""
-    merely: tuple[tuple[str, ...], ...] = ()
+    merely: PhraseSet = _NONE
     """What says no more before so much: "go *just* two meters", "to, *let's say*, two"."""
-    roughly: tuple[tuple[str, ...], ...] = ()
+    roughly: PhraseSet = _NONE
     """What says no more behind so much: "for a minute *or so*"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
@@ -219,7 +223,7 @@ class Wording:
     the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
-    others: tuple[tuple[str, ...], ...] = ()
+    others: PhraseSet = _NONE
     """Others, for whom something may be done that a grammar knows: "fold the towels for *them*","""
     other_people: frozenset[str] = frozenset()
     """the same with an article: "for the *kids*","""
@@ -227,15 +231,15 @@ class Wording:
     """and verbs behind which they are what is looked for: "*search* the tank for them"."""
     for_whom_before: frozenset[str] = frozenset()
     """The same before a verb that is no order: "tu peux *m*'apporter la pelle"."""
-    softens: tuple[tuple[str, ...], ...] = ()
+    softens: PhraseSet = _NONE
     """Words behind a verb that soften the order and say nothing of it: "avvia *pure* il programma"."""
     hurries: tuple[tuple[str, ...], ...] = ()
     """Words there that only urge to be quick, of a grammar that has no such word: "va *vite* à la cuisine"."""
-    vaguely: tuple[tuple[str, ...], ...] = ()
+    vaguely: PhraseSet = _NONE
     """Words there that say nothing beside an amount: "tourne *un peu* de dix degrés"."""
-    urges: tuple[tuple[str, ...], ...] = ()
+    urges: PhraseSet = _NONE
     """Words at the end of an order that only urge: "abre la puerta, *anda*"."""
-    namely: tuple[tuple[str, ...], ...] = ()
+    namely: PhraseSet = _NONE
     """Words behind a pause with which an order goes on: "gieß die Blumen, *und zwar* mit zwei Litern"."""
     taken_up: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Articles, each with the pronouns for what it stands before: "*la* palette, descends-*la*"."""
@@ -244,13 +248,13 @@ class Wording:
     alone: "*fa*mmi", "fai"."""
     joined_first: frozenset[str] = frozenset()
     """Forms of ``joined`` that such a pronoun follows: "porta*me*la"."""
-    once_more: tuple[tuple[str, ...], ...] = ()
+    once_more: PhraseSet = _NONE
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
-    wishing: tuple[tuple[str, ...], ...] = ()
+    wishing: PhraseSet = _NONE
     """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
-    wonders: tuple[tuple[str, ...], ...] = ()
+    wonders: PhraseSet = _NONE
     """Words that ask whether somebody can, right behind those that request: "kannst du *eigentlich* links abbiegen"."""
-    begging: tuple[tuple[str, ...], ...] = ()
+    begging: PhraseSet = _NONE
     """Fillers behind which it stands last with a "zu": "*ich bitte dich*, den Ball aufzuheben"."""
     wished: tuple[tuple[str, ...], ...] = ()
     """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""

@@ -84,7 +84,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "tells_of_whom": "en", "thinks": "en", "somewhat": "en",
         "tells_fully": "de es fr it", "tells_who": "de es fr it", "tells_alone": "es fr it",
         "perceives_none": "de es fr it",
-        "why_apart": "es it", "joined_short": "it", "tells_can": "de",
+        "joined_short": "it", "tells_can": "de",
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
         "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",

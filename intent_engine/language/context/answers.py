@@ -37,8 +37,8 @@ class Answers:
         wording = grammar.wording
         self._language = grammar.language
         self._wake = PhraseSet(grammar.wake)
-        self._yes = PhraseSet(wording.affirming)
-        self._no = PhraseSet(wording.declining)
+        self._yes = wording.affirming
+        self._no = wording.declining
         said = grammar.fillers  # "first" is one as well, where a sentence begins
         self._fillers = PhraseSet(one for one in said if evaluate(list(one), "ordinal", grammar.language) is None)
         self._correction = PhraseSet(grammar.operators.correction)

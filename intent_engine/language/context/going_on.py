@@ -54,7 +54,7 @@ def goes_on_from(
     return replace(whole, intent=intent, slots=slots, actions=more, needs=needs, goes_on=True)
 
 
-def as_joined(text: str, joints: Sequence[tuple[str, ...]], ends: Collection[tuple[str, ...]], language: str) -> str:
+def as_joined(text: str, joints: Sequence[tuple[str, ...]], ends: PhraseSet, language: str) -> str:
     """A text as it is said behind what was said before: with one of the joints before it, which it begins with, or
     which is meant by how it ends: "the fan *too*" is "and the fan". Empty: it has neither.
 

@@ -12,6 +12,7 @@ from intent_engine.language.grammar import Operators
 from intent_engine.language.language_files import Keys, language_file
 from intent_engine.language.loading.word_lists import in_full
 from intent_engine.language.wording import Wording
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = [
     "KEYS",
@@ -152,6 +153,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         frozenset[str]: frozenset,
         tuple[tuple[str, ...], ...]: said,
         frozenset[tuple[str, ...]]: lambda texts: frozenset(said(texts)),
+        PhraseSet: lambda texts: PhraseSet(said(texts)),
     }
     others: dict[str, Any] = {
         "forbidden": tuple(tuple(form.split()) for form in lists.get("forbidden", ())),

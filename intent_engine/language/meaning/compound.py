@@ -22,7 +22,6 @@ from intent_engine.language.slots.action_builder import names_taken
 from intent_engine.language.templates.template_tree import first_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["MAX_PARTS", "Compounds"]
@@ -45,9 +44,9 @@ class Compounds:
         self._corrections = corrections
         self.at_once = SeveralAtOnce(phrases, commands, corrections)
         self._where = thing_words(commands.matcher.grammar.language).where
-        self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
-        self._besides = PhraseSet(commands.matcher.grammar.wording.besides)
-        self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
+        self._at_first = commands.matcher.grammar.wording.at_first
+        self._besides = commands.matcher.grammar.wording.besides
+        self._ways_back = commands.matcher.grammar.wording.ways_back
         known = thing_words(commands.matcher.grammar.language)
         self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
 

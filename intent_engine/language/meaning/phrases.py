@@ -39,9 +39,9 @@ class Phrases:
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         self._articles = thing_words(grammar.language).articles
-        self.merely, self.led_by = PhraseSet(wording.merely), wording.led_by
+        self.merely, self.led_by = wording.merely, wording.led_by
         """What says no more before so much, in whatever pauses."""
-        self.roughly = PhraseSet(wording.roughly)
+        self.roughly = wording.roughly
         """The same behind it: "two minutes *or so*"."""
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
@@ -70,7 +70,7 @@ class Phrases:
         self.correction = PhraseSet(operators.correction)
         self.correcting = next(iter(operators.correction), ())
         """One of them, for what corrects in other words: "wrong way, the lab"."""
-        self.in_its_place = PhraseSet(wording.in_its_place)
+        self.in_its_place = wording.in_its_place
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence, wording.no_joints)
         self._later = PhraseSet(operators.later)
@@ -81,7 +81,7 @@ class Phrases:
         self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
         self.objection = PhraseSet(operators.objection)
         self._objecting = PhraseSet((*operators.objection, *operators.correction))
-        self._thanking = PhraseSet(wording.thanking)
+        self._thanking = wording.thanking
         self._standing_for = wording.standing_for
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))

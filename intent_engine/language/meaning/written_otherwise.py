@@ -48,7 +48,6 @@ from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.owners import owners
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unit_symbols import UnitSymbols
 
@@ -94,7 +93,7 @@ class WrittenOtherwise:
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
         self._for_whom = ForWhomAsked(phrases, commands, self._infinitives, self._asking)
         self._pronoun = PronounBehind(phrases, commands)
-        self._wishing, self._kindly = PhraseSet(wording.wishing), PhraseSet(wording.kindly)
+        self._wishing, self._kindly = wording.wishing, wording.kindly
         self._wished = WishedForms(self._matcher.grammar)
         self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)

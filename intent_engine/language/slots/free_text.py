@@ -63,7 +63,7 @@ class FreeText:
         self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
         self._begun = shortened(operators.closed | words.pronouns) if self._language == "en" else frozenset[str]()
         """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""
-        self._besides, self._softens = ToldBesides(grammar), PhraseSet(grammar.wording.softens)
+        self._besides, self._softens = ToldBesides(grammar), grammar.wording.softens
         self.unfinished = words.unfinished
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone

@@ -23,7 +23,7 @@ class ToldBesides:
         wording = grammar.wording
         self._english = grammar.language == "en"
         self._tells = PhraseSet((*wording.tells_alone, *wording.tells_of, *wording.tells_of_it))
-        self._why = PhraseSet((*wording.why, *wording.why_apart))
+        self._why = wording.why_apart
         self._who, self._fully = wording.tells_who, wording.tells_fully
 
     def begins(self, words: Sequence[str]) -> bool:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
+from itertools import chain
 
 __all__ = ["PhraseSet", "SomePhrases"]
 
@@ -25,6 +26,9 @@ class PhraseSet:
 
     def __bool__(self) -> bool:
         return bool(self._by_first)
+
+    def __iter__(self) -> Iterator[tuple[str, ...]]:
+        return chain.from_iterable(self._by_first.values())
 
     def may_stand_in(self, words: Iterable[str]) -> bool:
         """A quick look: whether any phrase could begin in these words."""

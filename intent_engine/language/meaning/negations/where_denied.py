@@ -5,7 +5,6 @@ from __future__ import annotations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.wording import Wording
-from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["WhereDenied"]
 
@@ -16,8 +15,8 @@ class WhereDenied:
     def __init__(self, phrases: Phrases, wording: Wording) -> None:
         self._phrases = phrases
         self._negation = phrases.negation
-        self._perceives_none = PhraseSet(wording.perceives_none)
-        self._why = PhraseSet((*wording.why, *wording.why_apart))
+        self._perceives_none = wording.perceives_none
+        self._why = wording.why_apart
 
     def first(self, core: Utterance) -> tuple[int, int] | None:
         """(position, length) of the first negation that is no correction, nor a part of one: "no espera" corrects,

@@ -13,7 +13,6 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Questions"]
@@ -29,7 +28,7 @@ class Questions:
         self._phrases = phrases
         self._commands = commands
         known, wording = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording
-        self._wonders, self._begging = PhraseSet(wording.wonders), PhraseSet(wording.begging)
+        self._wonders, self._begging = wording.wonders, wording.begging
         before_things = (known.articles | known.joining) - wording.requests
         self._before_things = before_things if wording.parted else frozenset[str]()
         """Words with which an order in the infinitive begins, whose verb stands last,"""

@@ -21,7 +21,6 @@ from intent_engine.language.normalize import tokenize
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.contractions import OTHER_WORDS, shortened_in
 from intent_engine.language.words.owners import owners
-from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["Talk"]
 
@@ -41,12 +40,12 @@ class Talk:
         self._sayings = Sayings(phrases, grammar)
         self._conditions = Conditions(phrases, grammar)
         self._more_than_now = MoreThanNow(grammar)
-        self._besides = PhraseSet(grammar.wording.besides)
+        self._besides = grammar.wording.besides
         self._how = grammar.wording.tells_how
-        self._at_times = PhraseSet(grammar.wording.at_times)
+        self._at_times = grammar.wording.at_times
         self._fillers = phrases.fillers
         self._commands = commands
-        self._thanking, self._once_more = PhraseSet(grammar.wording.thanking), PhraseSet(grammar.wording.once_more)
+        self._thanking, self._once_more = grammar.wording.thanking, grammar.wording.once_more
         self._ways = frozenset(way for said in grammar.wording.sides for way in said.split("/"))
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:

@@ -13,7 +13,6 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.listed_numbers import ListedNumbers
 from intent_engine.language.meaning.several.shared_verb import SharedVerb
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["SeveralAtOnce"]
 
@@ -25,7 +24,7 @@ class SeveralAtOnce:
         self._lists = ListedNumbers(phrases, commands)
         self._shared_verb = SharedVerb(phrases, commands, self._lists)
         self._corrected = CorrectedLists(phrases, commands, corrections)
-        self._for_each = PhraseSet(commands.matcher.grammar.wording.for_each)
+        self._for_each = commands.matcher.grammar.wording.for_each
 
     def verb_may_be_shared(self, core: Utterance) -> bool:
         """A quick look: whether one verb may be said of several things."""

@@ -73,7 +73,7 @@ class SharedVerb:
         known, operators, wording = thing_words(grammar.language), grammar.operators, grammar.wording
         self._articles = known.articles | set(known.contracted)
         self._joining = known.joining | known.binding | known.within
-        self._placed = PhraseSet(wording.placed)
+        self._placed = wording.placed
         turning = (*operators.negation, *operators.contrast)
         self._turns = wording.leaves_open.union(
             wording.alternatives, (words[0] for words in turning if len(words) == 1)

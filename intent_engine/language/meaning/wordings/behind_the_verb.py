@@ -10,7 +10,6 @@ from intent_engine.language.meaning.wordings.parts import next_begins
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["BehindTheVerb"]
@@ -41,14 +40,14 @@ class BehindTheVerb:
         self._for_whom = wording.for_whom
         self._gives = wording.gives
         self._own = vocabulary(matcher.grammar) if wording.gives else None
-        self._others = PhraseSet(wording.others)
+        self._others = wording.others
         self._people, self._articles = wording.other_people, wording.tells_of_a
         self._leads_to_some = wording.seeks | wording.brings
         self._for = wording.lasting
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
         self._leads = wording.leads | wording.says_when
-        self._besides = PhraseSet(wording.besides)
+        self._besides = wording.besides
         counting = {words[0] for words in matcher.grammar.counting if len(words) == 1}
         self._shortened = [
             tuple(word for word in words if word not in counting) for words in wording.once_more if counting & {*words}

@@ -11,7 +11,6 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Particles"]
@@ -30,7 +29,7 @@ class Particles:
         self._particles = grammar.wording.particles
         self._articles = thing_words(grammar.language).articles
         self._commands = commands
-        besides = PhraseSet(grammar.wording.besides)
+        besides = grammar.wording.besides
         self._ends = (phrases.sequence, phrases.correction, phrases.contrast, phrases.negation, besides)
 
     def placed(self, core: Utterance, state: Collection[str]) -> Utterance | None:

@@ -12,7 +12,6 @@ from intent_engine.language.meaning.wordings.counted import amounts
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["PlacedFirst"]
@@ -32,7 +31,7 @@ class PlacedFirst:
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
         known = thing_words(grammar.language)
-        self._placed = PhraseSet(grammar.wording.placed)
+        self._placed = grammar.wording.placed
         self._leads = known.joining | known.binding | known.timed | known.delaying
         self._leading = self._leads | known.articles | known.unfinished
         self._articles = known.articles

@@ -29,12 +29,12 @@ class PlacesThere:
     """
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
-        self._there = PhraseSet(grammar.wording.there)
+        self._there = grammar.wording.there
         known = thing_words(grammar.language)
         articles, self._joining = known.definite, known.joining
         self._articles: Sequence[tuple[str, ...]] = [(), *((article,) for article in sorted(articles))]
         self._sequence = sequence
-        self._at_last, self._to = PhraseSet(grammar.wording.there_at_last), grammar.wording.ways_to
+        self._at_last, self._to = grammar.wording.there_at_last, grammar.wording.ways_to
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with that place; None: there is none, or more than one.

@@ -10,7 +10,6 @@ from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Pointing"]
@@ -28,7 +27,7 @@ class Pointing:
         self._pointing = grammar.wording.points
         self._units = units(grammar.language)
         self._language = grammar.language
-        self._wholes = PhraseSet(grammar.wording.wholes)
+        self._wholes = grammar.wording.wholes
         known = thing_words(grammar.language)
         self._all = known.articles | self._pointing
         self._definite = known.definite_of_things

@@ -37,9 +37,9 @@ class SaidLightly:
         hurries = [phrase for phrase in wording.hurries if not paces and own.isdisjoint(phrase)]
         self._hurries = PhraseSet(hurries)
         self._softens = PhraseSet((*wording.softens, *hurries))
-        self._vague = PhraseSet(wording.vaguely)
-        self._urges = PhraseSet(wording.urges)
-        self._namely = PhraseSet(wording.namely)
+        self._vague = wording.vaguely
+        self._urges = wording.urges
+        self._namely = wording.namely
         self._behind_verb = wording.for_whom | wording.asked
         # Where verbs are parted or stand last, such a word stands anywhere before their end.
         further = (*(phrase for phrase in wording.softens if own.isdisjoint(phrase)), *hurries)

@@ -31,7 +31,7 @@ class WishedDone:
         wishes_for = [words for words in wording.wishes_for if " ".join(words) not in wording.takes_along]
         self._wishes = PhraseSet((*wording.wishes_done, *wishes_for))
         self._asking = PhraseSet(wishes_for)
-        self._to_be = PhraseSet(wording.to_be)
+        self._to_be = wording.to_be
         self._levels = wording.levels
         self._language = grammar.language
         self._verbless = verbless

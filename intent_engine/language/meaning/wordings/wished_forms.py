@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.verb_forms import infinitives
 
 __all__ = ["WishedForms"]
@@ -21,7 +20,7 @@ class WishedForms:
 
     def __init__(self, grammar: Grammar) -> None:
         self._grammar = grammar
-        self._wishing, self._begging = PhraseSet(grammar.wording.wishing), PhraseSet(grammar.wording.begging)
+        self._wishing, self._begging = grammar.wording.wishing, grammar.wording.begging
 
     def ways(self, said: Utterance, asked: Utterance) -> list[Utterance]:
         """What is asked for with its verb in the infinitive; as it was said where nothing wishes or begs.

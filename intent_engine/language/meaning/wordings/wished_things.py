@@ -7,7 +7,6 @@ from collections.abc import Collection, Iterator
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording, of_things_listed
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["WishedThings"]
 
@@ -16,7 +15,7 @@ class WishedThings:
     """Reads it with a verb of giving, as a grammar has it."""
 
     def __init__(self, grammar: Grammar) -> None:
-        self._wishes = PhraseSet(grammar.wording.wishes_for)
+        self._wishes = grammar.wording.wishes_for
         self._takes_along = grammar.wording.takes_along
         self._gives = grammar.wording.gives
         self._for_whom = sorted(grammar.wording.for_whom)
