@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
@@ -151,55 +151,51 @@ def _positive(name: str, value: float) -> float:
 
 
 def _move(parameters: _Parameters) -> Move:
-    speed, speed_said = parameters.speed(MOVE_SPEED)
-    direction = parameters.get("direction")
-    backward = isinstance(direction, str) and direction in _BACKWARD
-    distance, duration = parameters.said("distance"), parameters.said("duration")
-    if distance is None and duration is None:
-        distance, duration = parameters.default("distance"), parameters.default("duration")
-        if distance is None and duration is None:
-            duration = MOVE_DURATION
-    if distance is not None:
-        if distance < 0:
-            backward = not backward
-        distance = _positive("distance", abs(distance))
-        if duration is not None and not speed_said:
-            duration = _positive("duration", duration)
-            speed = distance / duration
-        _positive("speed", speed)
-        duration = distance / speed
-    else:
-        duration = _positive("duration", duration)
-        distance = _positive("speed", speed) * duration
-    # What was divided may have become too small or too large for a number.
-    for name, value in (("distance", distance), ("duration", duration), ("speed", speed)):
-        _positive(name, value)
+    distance, speed, duration, backward = _driven(parameters, "distance", MOVE_SPEED, MOVE_DURATION, _BACKWARD)
     return Move(-speed if backward else speed, distance, duration)
 
 
 def _turn(parameters: _Parameters) -> Turn:
-    speed, speed_said = parameters.speed(TURN_SPEED)
-    direction = parameters.get("direction")
-    right = isinstance(direction, str) and direction in _RIGHT
-    angle, duration = parameters.said("angle"), parameters.said("duration")
-    if angle is None and duration is None:
-        angle, duration = parameters.default("angle"), parameters.default("duration")
-        if angle is None and duration is None:
-            duration = TURN_DURATION
-    if angle is not None:
-        if angle < 0:
-            right = not right
-        angle = _positive("angle", abs(angle))
-        if duration is not None and not speed_said:
-            speed = angle / _positive("duration", duration)
-        duration = angle / _positive("speed", speed)
-    else:
-        duration = _positive("duration", duration)
-        angle = _positive("speed", speed) * duration
-    for name, value in (("angle", angle), ("duration", duration), ("speed", speed)):
-        _positive(name, value)
+    angle, speed, duration, right = _driven(parameters, "angle", TURN_SPEED, TURN_DURATION, _RIGHT)
     sign = -1.0 if right else 1.0
     return Turn(sign * angle, sign * speed, duration)
+
+
+def _driven(
+    parameters: _Parameters, way: str, usual_speed: float, usual_duration: float, negative: Collection[str]
+) -> tuple[float, float, float, bool]:
+    """How far, how fast and how long something is driven, each above zero, and whether in the negative direction. Of
+    the three, what was not said follows from the others.
+
+    Args:
+        parameters: what was said of it.
+        way: how far is called: "distance" or "angle".
+        usual_speed: in m/s or rad/s, where no other is known.
+        usual_duration: in s, where neither how far nor how long is known.
+        negative: words for the negative direction.
+    """
+    speed, speed_said = parameters.speed(usual_speed)
+    direction = parameters.get("direction")
+    backward = isinstance(direction, str) and direction in negative
+    far, duration = parameters.said(way), parameters.said("duration")
+    if far is None and duration is None:
+        far, duration = parameters.default(way), parameters.default("duration")
+        if far is None and duration is None:
+            duration = usual_duration
+    if far is None:
+        duration = _positive("duration", duration)
+        far = _positive("speed", speed) * duration
+    else:
+        if far < 0:
+            backward = not backward
+        far = _positive(way, abs(far))
+        if duration is not None and not speed_said:
+            speed = far / _positive("duration", duration)
+        duration = far / _positive("speed", speed)
+    # What was divided may have become too small or too large for a number.
+    for name, value in ((way, far), ("duration", duration), ("speed", speed)):
+        _positive(name, value)
+    return far, speed, duration, backward
 
 
 def _navigate(parameters: _Parameters, locations: LocationMap | None) -> Navigate:
