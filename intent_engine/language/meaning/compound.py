@@ -38,7 +38,7 @@ class Compounds:
 
     def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
         self._phrases = phrases
-        self._sequence = phrases.sequence
+        self._sequence, self._hold = phrases.sequence, phrases.objections.hold
         self._commands = commands
         self._joints = Joints(commands.matcher, phrases.sequence)
         self._corrections = corrections
@@ -194,7 +194,7 @@ class Compounds:
     def _only_ends(self, words: list[str], end: int, after: int) -> bool:
         """Whether what follows a command is a stop, or is joined with it and only says to wait where it ends: "and wait
         *there*". "And hold on" may take it back."""
-        waits = after > end and self._phrases.hold.at(words, after) == len(words) - after and words[-1] in self._where
+        waits = after > end and self._hold.at(words, after) == len(words) - after and words[-1] in self._where
         return waits or self._phrases.only_stops(words, after)
 
     def _at_first_of_all(self, part: Utterance, state: Collection[str], exactly: bool) -> Clause | None:

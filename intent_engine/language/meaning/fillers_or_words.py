@@ -75,14 +75,14 @@ class FillersOrWords:
     def listed(self, text: str, said: Utterance, state: Collection[str]) -> Understood | None:
         """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
         says nothing. Nobody knows, so nothing is done. None: no command follows, or a stop."""
-        if (parted := self._phrases.as_a_list(said)) is None:
+        if (parted := self._phrases.or_commands.as_a_list(said)) is None:
             return None
         first, rest = parted
         before = self._commands.exact(first, state)
         found, parts = self._meant(text, rest, state)
         if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
             without = rest.part(self._phrases.goes_on(rest.words), len(rest))
-            if self._phrases.as_a_list(without) is not None:
+            if self._phrases.or_commands.as_a_list(without) is not None:
                 return found, parts  # "right then right then ...": a list, whatever opens it
             found, parts = self._meant(text, without, state)
         if before is None or before.reading is None or not before.accepted or not parts or not found.actions:

@@ -183,7 +183,7 @@ class Interpreter:
         talk = self._talk
         if reason := talk.asks_or_quotes(text, said, meant, spoken=spoken) or talk.tells(said, meant, typed=typed):
             return self._rejected(text, reason)
-        if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
+        if meant[0].status is Status.ACCEPTED and (other := self.phrases.or_commands.in_full(said)) is not None:
             return self._fillers.or_either(text, meant, other, state)
         return meant
 
@@ -218,7 +218,7 @@ class Interpreter:
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
             return as_told(text, clause)
-        if core.words and phrases.only_agrees(said):
+        if core.words and phrases.or_commands.only_agrees(said):
             return self._agreed(text, core)
         if (listed := self._fillers.listed(text, said, state)) is not None:
             return listed
@@ -240,7 +240,7 @@ class Interpreter:
             return self._rejected(text, "the number was said in two pieces; say it again")
         understood = self._operated(text, said, core, state, clause)
         may_agree = understood[0].actions and not (understood[0].stops or understood[0].corrected)
-        if may_agree and phrases.agrees_at_last(said):
+        if may_agree and phrases.or_commands.agrees_at_last(said):
             understood = self._agreed(text, core)
         if MOVING in state and not understood[0].actions and (stop := self._stop_at_first(core, state)):
             return self._stopped(text, f"{stop!r} stops, and what follows was not understood", Cause.REST_UNKNOWN)
@@ -284,7 +284,7 @@ class Interpreter:
             return self._objected(text, words)
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
-        if MOVING in state and self.phrases.only_hold(words):
+        if MOVING in state and self.phrases.objections.only_hold(words):
             return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath", Cause.CANCELLED)
@@ -301,7 +301,7 @@ class Interpreter:
         if taken_back := self._corrections.taken_back(words):
             if self._stops.beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
-            if self.phrases.only_hold(words):
+            if self.phrases.objections.only_hold(words):
                 return self._held_at_rest(text, words)
             return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
         negated = self._negations.stands_in(core)
@@ -357,7 +357,7 @@ class Interpreter:
             return written
         if not negated and self._stops_beside_what_is_understood(core, state):
             return self._stopped(text)
-        if self.phrases.only_hold(words) and self.matcher.prefix(words)[1] is None:
+        if self.phrases.objections.only_hold(words) and self.matcher.prefix(words)[1] is None:
             return self._held_at_rest(text, words)
         if vague := lacks_a_number(core, self._language, lambda one: self._meant(text, one, state)[0].status):
             return self._rejected(text, vague)

@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import cache
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.fillers_or_commands import FillersOrCommands, before_joint
+from intent_engine.language.meaning.objections import Objections
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.spellings import own_words
 from intent_engine.language.utterance import Utterance
@@ -77,42 +79,66 @@ class Phrases:
         self.later_at_last = PhraseSet({*wording.besides} & {*operators.later}, wording.no_joints)
         """What says behind a command that something else is done first: "turn left *next*"."""
         self.contrast = PhraseSet(operators.contrast)
-        self.hold = PhraseSet(operators.hold)
-        self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
-        self.objection = PhraseSet(operators.objection)
-        self._objecting = PhraseSet((*operators.objection, *operators.correction))
-        self._thanking = wording.thanking
-        self._standing_for = wording.standing_for
+        self.objections = Objections(grammar)
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
         self._own_openers = own.intersection(words[0] for words in operators.opener)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
-        self._alone = cache(lambda word: lists is not None and lists([word]))
-        """Whether a word is a command by itself."""
-        self._listing = SomePhrases(joining, lambda words: lists is not None and lists(list(self._before_joint(words))))
+        alone = cache(lambda word: lists is not None and lists([word]))
+        self._listing = SomePhrases(
+            joining, lambda words: lists is not None and lists(before_joint(words, self.sequence))
+        )
         several = (words for words in grammar.fillers if len(words) > 1 and words not in joining)
-        self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
-        """Fillers of several words of which one is a command: "right away", "all right"."""
-        self._agrees = frozenset(filter(self._alone, wording.agrees))
+        self._hides = SomePhrases(several, lambda filler: any(map(alone, filler)))
         self._agreed_at_first = PhraseSet((*wording.agreeing, *((word,) for word in wording.agrees)))
-        self._agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
-        around = PhraseSet(grammar.around)
-        places = any(slot.type == "location" for slot in grammar.slots.values())
-        digits = any(slot.digits for slot in grammar.slots.values())
-        again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
-        named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
-        greetings = PhraseSet(words for words in wording.greetings if named and words in grammar.fillers)
-        known = thing_words(grammar.language)
-        self._openers = Openers(
-            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
-            self._operators, self.hesitation, PhraseSet(counting), PhraseSet(counted), place_of, grammar.language,
-            places, digits, known.describing, known.articles, names,
-            SomePhrases(grammar.fillers, called) if called is not None else PhraseSet(()), self._hides,
-        )  # fmt: skip
+        agrees = frozenset(filter(alone, wording.agrees))
+        agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
+        self.or_commands = FillersOrCommands(
+            self.fillers, self.sequence, self._listing, self._hides, alone, agrees, agreeing
+        )
+        self._openers = self._openers_of(grammar, joining, counting, counted, place_of, names, called)
         self._closed = operators.closed
         self._requests = wording.requests
         self._before_verbs = wording.before_verbs
+
+    def _openers_of(
+        self,
+        grammar: Grammar,
+        joining: Sequence[tuple[str, ...]],
+        counting: Sequence[tuple[str, ...]],
+        counted: Sequence[tuple[str, ...]],
+        place_of: Callable[[Sequence[str], str], TextPlace | None] | None,
+        names: Callable[[Sequence[str], str], bool] | None,
+        called: Callable[[tuple[str, ...]], bool] | None,
+    ) -> Openers:
+        """Which fillers are none elsewhere: those that join, that count, or that a name may have."""
+        operators, slots = grammar.operators, grammar.slots.values()
+        named = any(slot.type == "text" and not slot.known for slot in slots)
+        greetings = (words for words in grammar.wording.greetings if named and words in grammar.fillers)
+        known = thing_words(grammar.language)
+        return Openers(
+            phrases=PhraseSet(joining),
+            joints=self.sequence,
+            listing=self._listing,
+            around=PhraseSet(grammar.around),
+            again=PhraseSet((*operators.correction, *operators.cancel, *operators.contrast)),
+            greetings=PhraseSet(greetings),
+            fillers=self.fillers,
+            ends=self._operators,
+            sounds=self.hesitation,
+            counting=PhraseSet(counting),
+            counted=PhraseSet(counted),
+            place_of=place_of,
+            language=grammar.language,
+            places=any(slot.type == "location" for slot in slots),
+            digits=any(slot.digits for slot in slots),
+            describing=known.describing,
+            articles=known.articles,
+            names=names,
+            called=SomePhrases(grammar.fillers, called) if called is not None else PhraseSet(()),
+            hides=self._hides,
+        )
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
@@ -159,72 +185,6 @@ class Phrases:
 
     def without_whole_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.whole, self.kept, self._openers)
-
-    def _before_joint(self, words: Sequence[str]) -> Sequence[str]:
-        """Words without the joint with which they end."""
-        return words[: len(words) - self.sequence.ends(words)]
-
-    def as_a_list(self, said: Utterance) -> tuple[list[str], Utterance] | None:
-        """The command that may be the first of a list, and what follows, with its joint: "right then turn left".
-
-        None: the utterance does not begin so, or a pause tells what is meant ("right then, turn left"). Of "right, turn
-        left" it tells nothing.
-        """
-        if (agreed := self._agreed(said)) is not None or not self._listing.may_stand_in(said.words):
-            return agreed
-        start, length = 0, 0
-        while start < len(said) and not (length := self._listing.at(said.words, start)):
-            skipped = self.fillers.at(said.words, start)
-            if not skipped:
-                return None
-            start += skipped
-        end = start + length
-        if end == len(said) or any(said.breaks[start + 1 : end + 1]):
-            return None
-        first = list(self._before_joint(said.words[start:end]))
-        return first, said.part(start + len(first), len(said))
-
-    def _agreed(self, said: Utterance) -> tuple[list[str], Utterance] | None:
-        """The command that may be only a word of agreement, before a pause, and what follows that."""
-        start = 0
-        while start < len(said) and said.words[start] not in self._agrees:
-            if not (length := self.fillers.at(said.words, start)):
-                return None
-            start += length
-        after = start + 1
-        if after >= len(said) or not said.breaks[after] or self.sequence.at(said.words, after):
-            return None
-        return said.words[start:after], said.part(after, len(said))
-
-    def only_agrees(self, said: Utterance) -> bool:
-        """Whether an utterance is a command that may say nothing, among words of agreement alone, or said more than
-        once: "yeah right", "right, right"."""
-        words = [word for word in said.words if word not in self._agrees]
-        return 1 < len(said) > len(words) and self._agreeing.cover(words)
-
-    def agrees_at_last(self, said: Utterance) -> bool:
-        """Whether it ends so behind a pause: "go forward, okay right"."""
-        return any(said.breaks[at] and self.only_agrees(said.part(at, len(said))) for at in range(1, len(said)))
-
-    def in_full(self, said: Utterance) -> Utterance | None:
-        """An utterance with the word that is a command in the place of each filler that has one in it, where no pause
-        follows: "turn right away ninety degrees" may be "turn right ninety degrees". None: there is no such filler."""
-        if self._hides.find(said.words) is None:
-            return None
-        words: list[str] = []
-        breaks: list[bool | None] = []
-        position = 0
-        while position < len(said):
-            length = self._hides.at(said.words, position)
-            end = position + length
-            if length and (end == len(said) or not said.breaks[end]):
-                words.append(next(filter(self._alone, said.words[position:end])))
-            else:
-                end = position + 1
-                words.append(said.words[position])
-            breaks.append(said.breaks[position])
-            position = end
-        return Utterance(words, breaks) if len(words) < len(said) else None
 
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
@@ -317,41 +277,6 @@ class Phrases:
     def requests(self, words: list[str]) -> bool:
         """Whether an utterance begins with words that ask for what follows: "kannst du links abbiegen?"."""
         return not self._requests.isdisjoint(words[: self.after_opening(words)])
-
-    def only_hold(self, words: list[str]) -> bool:
-        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on", "fine, hold on"."""
-        return self.hold.find(words) is not None and self._held.cover(words)
-
-    def only_objects(self, said: Utterance, core: Utterance) -> bool:
-        """Whether nothing is said but that what goes on is not meant: "no", "no, that's wrong". "No, thanks" is said to
-        somebody who offers something. ``core`` is what was said without its fillers, of which some are a part of an
-        objection: "not *so* far"."""
-        ways = (core.words, said.words)
-        objects = any(self.objection.find(words) is not None and self._objecting.cover(words) for words in ways)
-        return objects and not self.thanks(said)
-
-    def thanks(self, said: Utterance) -> bool:
-        """Whether somebody is thanked."""
-        return self._thanking.find(said.words) is not None
-
-    def without_standing_for(self, words: Sequence[str]) -> list[str]:
-        """Words without those that only stand for a thing: "the right", of "the right one"."""
-        return [word for word in words if word not in self._standing_for]
-
-    def objected(self, core: Utterance) -> tuple[int, int]:
-        """How many words at the beginning take back what was said before or object to what is done, and how often they
-        object in one breath: twice in "no no, the lab", once in "no. No problem"."""
-        words, position, counts = core.words, 0, [0]
-        while length := self._objecting.at(words, position):
-            single = [self.objection.at([words[at]], 0) for at in range(position, position + length)]
-            for at, objects in enumerate(single, position):
-                if core.breaks[at] and at:
-                    counts.append(0)
-                counts[-1] += objects
-            if not any(single):
-                counts[-1] += self.objection.at(words, position) > 0
-            position += length
-        return position, max(counts)
 
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""

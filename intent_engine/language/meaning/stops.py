@@ -98,7 +98,7 @@ class Stops:
             joined = phrases.joined_before(words, position) or phrases.contrast.ends(words[:position])
             if not (joined or core.breaks[position]) or phrases.negated_before(words, position):
                 continue
-            if stops or phrases.only_hold(words[position:]):
+            if stops or phrases.objections.only_hold(words[position:]):
                 return phrases.negation.find(words[:position]) is not None
         return False
 
@@ -140,7 +140,7 @@ class Stops:
     @step(Kind.STOP)
     def in_objection(self, said: Utterance, core: Utterance) -> bool:
         """ "No!", "not that": nothing but that something is not meant. Of a robot that moves that is what it does."""
-        return self._phrases.only_objects(said, core)
+        return self._phrases.objections.only_objects(said, core)
 
     @step(Kind.STOP)
     def in_denial(self, core: Utterance) -> bool:

@@ -29,7 +29,7 @@ class CorrectedLists:
     """The commands that are meant at last."""
 
     def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
-        self._hold = phrases.hold
+        self._hold = phrases.objections.hold
         self._commands = commands
         self._corrections = corrections
         self._articles = thing_words(commands.matcher.grammar.language).articles

@@ -265,7 +265,7 @@ class Negations:
             return False
         if not self._commands.opens_with_a_verb(clause.reading):
             return False
-        if self._phrases.objection.at(denied.words, 0) == len(denied):
+        if self._phrases.objections.objection.at(denied.words, 0) == len(denied):
             return True
         named = denied.part(begin, len(denied))
         led = bool(named.words) and named.words[0] in self._articles

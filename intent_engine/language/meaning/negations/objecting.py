@@ -28,8 +28,8 @@ def objects_to_what_is_done(
         parse: what a text means by itself.
     """
     core = phrases.without_fillers(said)
-    begun, objections = phrases.objected(core)
-    if not begun or begun == len(core) or phrases.thanks(said):
+    begun, objections = phrases.objections.objected(core)
+    if not begun or begun == len(core) or phrases.objections.thanks(said):
         return False
     negated = phrases.negation.at(core.words, 0)  # "nicht das" may be "not that", or begin "nicht das Labor reinigen"
     if 0 < negated <= begun and not any(core.breaks[1 : begun + 1]) and _is_forbidden(core.words[negated:], commands):
@@ -41,7 +41,7 @@ def objects_to_what_is_done(
         if rest.actions or rest.status is Status.AMBIGUOUS or rest.unknown_place:
             return True
     words = core.words if phrases.correction.at(core.words, 0) else [*phrases.correcting, *core.words[begun:]]
-    ways = (words, phrases.without_standing_for(words)) if before else ()
+    ways = (words, phrases.objections.without_standing_for(words)) if before else ()
     corrected = (parse(f"{before}, {' '.join(words)}") for words in ways)
     return any(one.corrected and not one.stops for one in corrected)
 
