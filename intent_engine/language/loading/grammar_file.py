@@ -16,6 +16,7 @@ from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places
+from intent_engine.language.loading.grammar_slots import read_slot
 from intent_engine.language.loading.language_words import (
     default_another,
     default_around,
@@ -220,7 +221,7 @@ class _Builder:
                     self.draft.broken.add(name)
         for at, name, spec in _section(source, "slots"):
             if self._once(source, at, name):
-                slot = parts.slot(at, name, spec)
+                slot = read_slot(parts, at, name, spec)
                 if slot is not None:
                     self.slots[name] = slot
                 else:
