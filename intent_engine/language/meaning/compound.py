@@ -3,26 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import replace
-from functools import cached_property
-from itertools import pairwise
+from dataclasses import dataclass, field, replace
 
-from intent_engine.actions import ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import ChangeSpeed, Stop
 from intent_engine.interpretation import Cause
-from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
-from intent_engine.language.meaning.clause import Clause, described
+from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.ends_at_rest import EndsAtRest
+from intent_engine.language.meaning.joined_doubts import JoinedDoubts
 from intent_engine.language.meaning.joints import Joints
-from intent_engine.language.meaning.negations.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.several_at_once import SeveralAtOnce
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.slots.action_builder import names_taken
-from intent_engine.language.templates.template_tree import first_words
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import words_in
-from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["MAX_PARTS", "Compounds"]
 
@@ -33,22 +29,38 @@ MOST_ENDS = 3
 costs a reading, and to tell why need not be exact."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """How an utterance is taken apart, and what is known of its parts already."""
+
+    core: Utterance
+    state: Collection[str]
+    begin: int
+    """Where its first command begins."""
+    exactly: bool
+    """Whether no name in it is misheard."""
+    shared: bool = False
+    """Whether one verb may be said of several things, as it is where there is no other way."""
+    parts: dict[tuple[int, int, str], Clause | None] = field(default_factory=dict)
+    """The command that each part is, from a place to another, behind one of an intent."""
+    tried: dict[tuple[int, str, bool], list[Clause] | None] = field(default_factory=dict)
+    """The commands from a place on, behind one of an intent, and a joint or only a pause."""
+
+
 class Compounds:
     """The commands that an utterance joins."""
 
     def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
         self._phrases = phrases
-        self._sequence, self._hold = phrases.sequence, phrases.objections.hold
+        self._sequence = phrases.sequence
         self._commands = commands
         self._joints = Joints(commands.matcher, phrases.sequence)
         self._corrections = corrections
         self.at_once = SeveralAtOnce(phrases, commands, corrections)
-        self._where = thing_words(commands.matcher.grammar.language).where
+        self.ends = EndsAtRest(phrases, commands.matcher.grammar)
+        self._doubts = JoinedDoubts(commands)
         self._at_first = commands.matcher.grammar.wording.at_first
         self._besides = commands.matcher.grammar.wording.besides
-        self._ways_back = commands.matcher.grammar.wording.ways_back
-        known = thing_words(commands.matcher.grammar.language)
-        self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
 
     @step(Kind.COMMAND)
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
@@ -105,97 +117,103 @@ class Compounds:
         What may say nothing at its beginning does not where it belongs to a command: "first gear, then go back".
         """
         begin = self._phrases.goes_on(core.words) or self._phrases.agreed(core)
-        whole = self._commands_from(core, state, 0, True, {}) if begin else None
-        parts: dict[tuple[int, int, str], Clause | None] = {}
-        whole = whole or self._commands_from(core, state, begin, exactly, parts)
-        if whole is None and self.at_once.verb_may_be_shared(core):
-            whole = self._commands_from(core, state, begin, exactly, parts, shared=True)
-        return whole
+        whole = self._commands_from(_Way(core, state, 0, exactly=True), 0, 1, "") if begin else None
+        way = _Way(core, state, begin, exactly=exactly)
+        whole = whole or self._commands_from(way, begin, 1, "")
+        if not whole and self.at_once.verb_may_be_shared(core):
+            whole = self._commands_from(replace(way, shared=True, tried={}), begin, 1, "")
+        return whole or None
 
     def _commands_from(
-        self,
-        core: Utterance,
-        state: Collection[str],
-        begin: int,
-        exactly: bool,
-        parts: dict[tuple[int, int, str], Clause | None],
-        *,
-        shared: bool = False,
+        self, way: _Way, start: int, depth: int, before: str, joined: bool = True
     ) -> list[Clause] | None:
-        """The same from a place on. ``parts`` are known already; ``shared`` tells whether one verb may be said of
-        several things, as it is where there is no other way."""
-        words = core.words
-        tried: dict[tuple[int, str, bool], list[Clause] | None] = {}
+        """The commands from a place on. None: they are none.
 
-        def rest(start: int, depth: int, before: str, joined: bool = True) -> list[Clause] | None:
-            """Of the commands from a place on, behind one of the intent ``before`` and a joint, or only a pause."""
-            if (start, before, joined) in tried:
-                return tried[start, before, joined]
-            tried[start, before, joined] = None
-            found: list[Clause] | None = None
-            for end, after in self._joints.boundaries(core, start):
-                if start < end < after < len(words) and self._phrases.opens_what_follows(core, start, after):
-                    found = rest(after, depth, before)  # else "go and wait for me there" would go somewhere else first
-                    break
-                part = core.part(start, end)
-                if self._corrections.leans(part, state, first=start == begin):
-                    continue
-                if (start, end, before) not in parts:
-                    parts[start, end, before] = self._one(part, state, before, exactly)
-                clause = parts[start, end, before]
-                several: list[Clause] = []
-                if not (clause is not None and clause.accepted) and end > start + 1:
-                    several = self.at_once.each(part, state, before, shared=shared)
-                    if several and not several[0].accepted:
-                        found = several
-                        break
-                    if depth + len(several) > MAX_PARTS + 1:
-                        continue
-                    clause = several.pop() if several else clause
-                if start == begin and end < len(words) and not (clause is not None and clause.accepted):
-                    clause = self._at_first_of_all(part, state, exactly)
-                if clause is None or not clause.accepted:
-                    continue
-                # "The kitchen, the bedroom and the dock" is a list: its last joint tells it from a correction.
-                listed = not joined and _goes_on(clause)
-                if end == len(words):
-                    found = [clause] if not listed else None
-                elif self._only_ends(words, end, after) and not listed and not self._names_what(words[after:]):
-                    found = [self._at_rest(clause, words[after:])]  # "... and stop"
-                elif (done := depth + len(several)) < MAX_PARTS:
-                    name = self._goes_on_from(clause)
-                    onward = None
-                    if after > end or (name and self._commands.may_go_on(words[after:], name)):
-                        onward = rest(after, done + 1, name, after > end)
-                    if onward is None and after == end:
-                        onward = rest(after, done + 1, "")
-                    if onward is not None and not self._joints.part_numbers(words, end, after, clause, onward[0]):
-                        onward = None
-                    if onward is not None:
-                        onward = self._unless_of_its_verb(clause, self._unless_the_way_back(clause, onward), state)
-                    later = onward is not None and _goes_on(onward[0])
-                    if onward is not None and not later and not self._phrases.says_later(words[end:after]):
-                        onward = self._unless_for_both(clause, onward)
-                    if onward is not None and not onward[0].accepted:
-                        found = onward
-                    elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
-                        found = [clause, *onward] if after > end else _of_one_speed(clause, onward)
-                        stops = after > end and len(onward) == 1 and isinstance(onward[0].action, Stop)
-                        if stops and not self._ends_another(words[after:]):
-                            found = [self._at_rest(clause, words[after:])]  # "... and wait there"
-                if found is not None:
-                    found = [*several, *found] if found[0].accepted else found
-                    break
-            tried[start, before, joined] = found
-            return found
+        Args:
+            way: how the utterance is taken apart.
+            start: the place.
+            depth: which command begins there, counted from 1.
+            before: the intent of the command behind which it stands; empty: it is one by itself.
+            joined: whether a joint stands before it, and not only a pause.
+        """
+        key = (start, before, joined)
+        if key not in way.tried:
+            way.tried[key] = None
+            way.tried[key] = self._longest_first(way, start, depth, before, joined)
+        return way.tried[key]
 
-        return rest(begin, 1, "") or None
+    def _longest_first(self, way: _Way, start: int, depth: int, before: str, joined: bool) -> list[Clause] | None:
+        """The same of the longest part that is a command, if commands follow it."""
+        core = way.core
+        for end, after in self._joints.boundaries(core, start):
+            if start < end < after < len(core) and self._phrases.opens_what_follows(core, start, after):
+                # Else "go and wait for me there" would go somewhere else first.
+                return self._commands_from(way, after, depth, before)
+            part = core.part(start, end)
+            if self._corrections.leans(part, way.state, first=start == way.begin):
+                continue
+            clauses = self._in_part(way, part, start, depth, before)
+            if not clauses:
+                continue
+            if not clauses[0].accepted:
+                return clauses
+            *several, clause = clauses
+            found = self._with_what_follows(way, clause, end, after, depth + len(several), joined)
+            if found is not None:
+                return [*several, *found] if found[0].accepted else found
+        return None
 
-    def _only_ends(self, words: list[str], end: int, after: int) -> bool:
-        """Whether what follows a command is a stop, or is joined with it and only says to wait where it ends: "and wait
-        *there*". "And hold on" may take it back."""
-        waits = after > end and self._hold.at(words, after) == len(words) - after and words[-1] in self._where
-        return waits or self._phrases.only_stops(words, after)
+    def _in_part(self, way: _Way, part: Utterance, start: int, depth: int, before: str) -> list[Clause]:
+        """The command that a part is, or those of a list of things; or the one clause that is not accepted, as
+        :meth:`SeveralAtOnce.each` has it. Empty: it is none."""
+        end = start + len(part)
+        if (start, end, before) not in way.parts:
+            way.parts[start, end, before] = self._one(part, way.state, before, way.exactly)
+        clause = way.parts[start, end, before]
+        if clause is not None and clause.accepted:
+            return [clause]
+        several = self.at_once.each(part, way.state, before, shared=way.shared) if len(part) > 1 else []
+        if several:
+            too_many = several[0].accepted and depth + len(several) > MAX_PARTS + 1
+            return [] if too_many else several
+        if start == way.begin and end < len(way.core):
+            clause = self._at_first_of_all(part, way.state, way.exactly)
+        return [clause] if clause is not None and clause.accepted else []
+
+    def _with_what_follows(
+        self, way: _Way, clause: Clause, end: int, after: int, depth: int, joined: bool
+    ) -> list[Clause] | None:
+        """A command that ends at a place, and those behind the joint there. None: what follows is none."""
+        words = way.core.words
+        # "The kitchen, the bedroom and the dock" is a list: its last joint tells it from a correction.
+        listed = not joined and _goes_on(clause)
+        if end == len(words):
+            return [clause] if not listed else None
+        if not listed and self.ends.only(words, end, after):
+            return [self.ends.at_rest(clause, words[after:])]  # "... and stop"
+        if depth >= MAX_PARTS:
+            return None
+        name = self._goes_on_from(clause)
+        onward = None
+        if after > end or (name and self._commands.may_go_on(words[after:], name)):
+            onward = self._commands_from(way, after, depth + 1, name, after > end)
+        if onward is None and after == end:
+            onward = self._commands_from(way, after, depth + 1, "")
+        if onward is None or not self._joints.part_numbers(words, end, after, clause, onward[0]):
+            return None
+        onward = self._doubts.unless_of_its_verb(clause, self._doubts.unless_the_way_back(clause, onward), way.state)
+        later = _goes_on(onward[0])
+        if not later and not self._phrases.says_later(words[end:after]):
+            onward = self._doubts.unless_for_both(clause, onward)
+        if not onward[0].accepted:
+            return onward
+        if not (_of_one_kind(clause, onward[0]) if later else not listed):
+            return None
+        if after == end:
+            return _of_one_speed(clause, onward)
+        if len(onward) == 1 and isinstance(onward[0].action, Stop) and not self.ends.another(words[after:]):
+            return [self.ends.at_rest(clause, words[after:])]  # "... and wait there"
+        return [clause, *onward]
 
     def _at_first_of_all(self, part: Utterance, state: Collection[str], exactly: bool) -> Clause | None:
         """The command that a part is but for a "first" at its end, behind which others follow. None: it has none."""
@@ -226,108 +244,6 @@ class Compounds:
         if not (clause is not None and clause.accepted) and not self._phrases.change_meaning(words):
             return self._commands.misheard(words, state, before, part.breaks) or clause
         return clause
-
-    def _unless_for_both(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
-        """What goes on from a command, unless it ends with what may be meant for both: "left and right ninety degrees".
-        Then the one clause that says so. "A coffee and two teas" are one coffee, and "left and then right ninety
-        degrees" one turn after the other."""
-        one, other = clause.reading, onward[0].reading
-        if one is None or other is None or one.intent is not other.intent or not other.slots:
-            return onward
-        last, said = other.slots[-1], one.values()
-        alike = said.keys() & other.values().keys() - {last.label}
-        if last.label in said or not alike or last.end < len(other.words) or self._commands.opens_with_a_verb(other):
-            return onward
-        both = replace(one, slots=(*one.slots, last))
-        meanings = tuple(f"{described(first)}, then {described(other)}" for first in (one, both))
-        reason = f"{' '.join(other.words[last.start :])!r} may be meant for both; say each command in full"
-        return [Clause(one, reason=reason, alternatives=meanings, ambiguous=True)]
-
-    def _unless_the_way_back(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
-        """What goes on from a command, unless that may have gone somewhere and what follows ends with "back" and says
-        no more: backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward. To turn
-        in between goes nowhere else: "take the cup to the kitchen, turn around and go back"."""
-        back = next((later for later in onward if not isinstance(later.action, Turn)), onward[0])
-        one, other = clause.reading, back.reading
-        if one is None or other is None or not self._ways_back.ends(other.words):
-            return onward
-        if not _goes_somewhere(clause) or not isinstance(back.action, Move) or _goes_somewhere(back):
-            return onward
-        either = (f"{described(one)}, then {described(other)}", f"{described(one)}, then the way back")
-        reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
-        return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
-
-    def _unless_of_its_verb(self, clause: Clause, onward: list[Clause], state: Collection[str]) -> list[Clause]:
-        """What goes on from a command, unless it begins with a value and does something else behind the verb before:
-        "look up and *down*" is no order to lie down, where that is one."""
-        one, other = clause.reading, onward[0].reading
-        if one is None or other is None or one.intent is other.intent:
-            return onward
-        if not onward[0].accepted or not other.slots or other.slots[0].start:
-            return onward
-        for slot in one.slots:
-            if slot.start == 0 or slot.slot.type != "choice" or slot.slot is other.slots[0].slot:
-                continue
-            behind = self._commands.exact([*one.words[: slot.start], *other.words], state)
-            if behind is not None and behind.accepted and behind.reading is not None:
-                if behind.action == onward[0].action:
-                    continue
-                either = tuple(f"{described(one)}, then {described(way)}" for way in (other, behind.reading))
-                reason = f"{' '.join(other.words)!r} may be a command, or be said of the verb before; say it in full"
-                return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
-        return onward
-
-    def _ends_another(self, stop: list[str]) -> bool:
-        """Whether a stop is no mere end of the command before it, but of something else: "turn left and *cancel the
-        mission*", "... and *stop following me*"."""
-        if self._phrases.cancel.at(stop, 0) or not self._persons.isdisjoint(stop) or self._names_what(stop):
-            return True
-        length = self._phrases.stop.at(stop, 0)
-        doing = stop[length : length + 1] if length else []
-        language = self._commands.matcher.grammar.language
-        return any(verb in self.acting for word in doing for verb in verbs(word, language))
-
-    def _at_rest(self, clause: Clause, stop: Sequence[str]) -> Clause:
-        """A command that is joined with a stop at last, which is told to be part of it: every command ends with the
-        robot at rest. Only what goes on until it is stopped, would not have begun: "follow me and stay"."""
-        said = " ".join(stop)
-        if clause.reading is not None and clause.reading.intent.name in self._going_on:
-            told = f"{said!r} would end at once what was told before it; say one of them"
-            return Clause(clause.reading, reason=told, alternatives=(described(clause.reading), said), ambiguous=True)
-        told = f"every command ends at rest, also without {said!r}"
-        return replace(clause, reason="; ".join(filter(None, (clause.reason, told))))
-
-    @cached_property
-    def _going_on(self) -> frozenset[str]:
-        """The intents whose doing the grammar has a stop for, by its name, and which are no motion: who writes "stop
-        following" has a robot that follows until it is told to stop."""
-        grammar = self._commands.matcher.grammar
-        stops = [intent for intent in grammar.intents.values() if intent.action.type == "stop"]
-        words = {word for intent in stops for one in intent.all_sentences for word in words_in(one.template)}
-        ended = {verb for word in words for verb in verbs(word, grammar.language)}
-        begun: dict[bool, dict[str, frozenset[str]]] = {True: {}, False: {}}
-        for intent in grammar.intents.values():
-            verbs_of = (first_words(one.template, grammar.phrases)[0] for one in intent.sentences)
-            begun[intent.action.type in MOTIONS][intent.name] = frozenset[str]().union(*verbs_of)
-        ended = ended.difference(*begun[True].values())
-        return frozenset(name for name, first in begun[False].items() if not ended.isdisjoint(first))
-
-    @cached_property
-    def acting(self) -> frozenset[str]:
-        """Verbs of what a command does not end by itself: "follow", but not "roll"."""
-        grammar = self._commands.matcher.grammar
-        sentences = (
-            sentence
-            for intent in grammar.intents.values()
-            if intent.action.type not in (*MOTIONS, "stop")
-            for sentence in intent.sentences
-        )
-        begun = (first_words(sentence.template, grammar.phrases)[0] for sentence in sentences)
-        return frozenset[str]().union(*begun)
-
-    def _names_what(self, stop: list[str]) -> bool:
-        """Whether a stop names what is to stop, other than the robot itself: "kill *the motors*"."""
-        return any(word in self._definite and after not in self._itself for word, after in pairwise(stop))
 
     def _goes_on_from(self, clause: Clause) -> str:
         """The intent of a command, if there are parts that go on from it; else nothing."""
@@ -373,17 +289,6 @@ def _goes_on(clause: Clause) -> bool:
     """Whether a command is one only behind another."""
     reading = clause.reading
     return reading is not None and any(reading.sentence is one for one in reading.intent.then)
-
-
-def _goes_somewhere(clause: Clause) -> bool:
-    """Whether a command may have an end that one can come back from: a place, where a thing is or goes, or how far.
-    Where an action of the user's own leads, only he knows: "deliver the mail", "take the cup to the kitchen"."""
-    if isinstance(clause.action, Navigate | Custom):
-        return True
-    slots = clause.reading.slots if clause.reading is not None else ()
-    if isinstance(clause.action, Pick | Place):
-        return len(slots) > 1
-    return isinstance(clause.action, Move) and any(slot.slot.type in ("distance", "duration") for slot in slots)
 
 
 def _of_one_kind(clause: Clause, onward: Clause) -> bool:

@@ -236,7 +236,9 @@ class Stops:
         before = words[start : position - joint]
         if not joint or phrases.says_later(words[position - joint : position]):
             return False
-        if phrases.negation.find(before) is not None or ended.isdisjoint(self._compounds.acting.difference(before)):
+        if phrases.negation.find(before) is not None or ended.isdisjoint(
+            self._compounds.ends.acting.difference(before)
+        ):
             return False
         return bool(before) and self._clause_begins(words, start, position - joint)
 
