@@ -31,11 +31,8 @@ class EndsAtRest:
     def only(self, words: list[str], end: int, after: int) -> bool:
         """Whether what follows a command is a stop, or is joined with it and only says to wait where it ends: "and wait
         *there*". "And hold on" may take it back."""
-        waits = (
-            after > end
-            and self._phrases.objections.hold.at(words, after) == len(words) - after
-            and words[-1] in self._where
-        )
+        holds = self._phrases.objections.hold.at(words, after) == len(words) - after
+        waits = after > end and holds and words[-1] in self._where
         return (waits or self._phrases.only_stops(words, after)) and not self._names_what(words[after:])
 
     def another(self, stop: list[str]) -> bool:

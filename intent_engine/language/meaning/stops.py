@@ -236,9 +236,8 @@ class Stops:
         before = words[start : position - joint]
         if not joint or phrases.says_later(words[position - joint : position]):
             return False
-        if phrases.negation.find(before) is not None or ended.isdisjoint(
-            self._compounds.ends.acting.difference(before)
-        ):
+        acting = self._compounds.ends.acting.difference(before)
+        if phrases.negation.find(before) is not None or ended.isdisjoint(acting):
             return False
         return bool(before) and self._clause_begins(words, start, position - joint)
 

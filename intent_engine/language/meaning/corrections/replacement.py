@@ -25,6 +25,11 @@ _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "o
 
 _Stretch = tuple[int, int]
 """Where the words begin that are replaced, and where what follows them begins."""
+_Meaning = tuple[tuple[str, str], ...]
+"""The values of a command, each as text."""
+_Rank = tuple[bool, bool, bool, int]
+"""How good a replacement is: whether it is none in free words, is a word that their slot lists, begins with a word of
+the sentence, and how many words it keeps."""
 
 
 class Replacements:
@@ -55,43 +60,17 @@ class Replacements:
         whole = self._commands.accepts(meant, state)
         if not said:
             return all_of_it if whole else None
-        kept: dict[tuple[bool, bool, bool, int], dict[tuple[Any, ...], _Stretch]] = {}
         first = self._commands.likeliest(said, before)
         if first is not None and before and self._says_all_again(first, meant, before):
             return all_of_it
         if first is not None and whole and self._begins_with_its_verb(first, meant):
             return all_of_it
-        last = _last_quantity(first)
-        units = {(self._unit_begins(slot, said, meant), slot.end) for slot in (first.slots if first else ())}
+        kept: dict[_Rank, dict[_Meaning, _Stretch]] = {}
         labels: dict[tuple[bool, bool, bool], set[str]] = {}
-        for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
-            assert first is not None
-            words = said[:at] + meant + said[after:]
-            count = at + len(said) - after
-            old = first.values()
-            for reading in filter(None, [self._commands.likeliest(words, before)]):
-                if reading.intent is not first.intent:
-                    continue
-                touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
-                if label is not None and label not in (slot.label for slot in touched):
-                    continue
-                if (at, after) not in units and any(
-                    self._grafted(slot, words, at, meant, whole, last) for slot in touched
-                ):
-                    continue
-                if any(slot.problem and slot.label != last for slot in touched):
-                    continue  # "seven thirty, no, forty": no hour, but "bay four, no, ninety" may be nothing but a bay
-                new = reading.values()
-                changed = {label for label, value in new.items() if old.get(label) != value}
-                if set(new) != set(old) or len(changed) > 1 or not changed <= {slot.label for slot in touched}:
-                    continue
-                meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
-                # A place takes the place of a place, though free words would take it as well.
-                known = not any(slot.slot.type in FREE_KINDS for slot in touched)
-                listed = any(meant[-1] in slot.slot.known for slot in touched)
-                introduced = not any(slot.start <= at for slot in touched)
-                kept.setdefault((known, listed, introduced, count), {}).setdefault(meaning, (at, after))
-                labels.setdefault((known, listed, introduced), set()).update(changed)
+        ways = self._ways(said, meant, first, whole, before) if first is not None else ()
+        for rank, meaning, stretch, changed in ways:
+            kept.setdefault(rank, {}).setdefault(meaning, stretch)
+            labels.setdefault(rank[:3], set()).update(changed)
         if kept:
             best, known = kept[max(kept)], max(kept)[0]
             if not known and first is not None and not whole:
@@ -114,6 +93,37 @@ class Replacements:
         if several is not None or before:
             return several
         return self._before_end(said, meant) or (self._begin_again(said, meant, first) if first else None)
+
+    def _ways(
+        self, said: list[str], meant: list[str], first: Reading, whole: bool, before: str
+    ) -> Iterator[tuple[_Rank, _Meaning, _Stretch, set[str]]]:
+        """How ``meant`` may take the place of one slot of what was said: how good that is, what the whole means then,
+        which words it takes the place of, and whose value changes."""
+        old = first.values()
+        last = _last_quantity(first)
+        units = {(self._unit_begins(slot, said, meant), slot.end) for slot in first.slots}
+        for at, after, label in self._stretches(said, meant, first, whole):
+            words = said[:at] + meant + said[after:]
+            reading = self._commands.likeliest(words, before)
+            if reading is None or reading.intent is not first.intent:
+                continue
+            touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
+            if label is not None and label not in (slot.label for slot in touched):
+                continue
+            if (at, after) not in units and any(self._grafted(slot, words, at, meant, whole, last) for slot in touched):
+                continue
+            if any(slot.problem and slot.label != last for slot in touched):
+                continue  # "seven thirty, no, forty": no hour, but "bay four, no, ninety" may be nothing but a bay
+            new = reading.values()
+            changed = {label for label, value in new.items() if old.get(label) != value}
+            if set(new) != set(old) or len(changed) > 1 or not changed <= {slot.label for slot in touched}:
+                continue
+            # A place takes the place of a place, though free words would take it as well.
+            known = not any(slot.slot.type in FREE_KINDS for slot in touched)
+            listed = any(meant[-1] in slot.slot.known for slot in touched)
+            introduced = not any(slot.start <= at for slot in touched)
+            meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
+            yield (known, listed, introduced, at + len(said) - after), meaning, (at, after), changed
 
     def _begins_with_its_verb(self, first: Reading, meant: list[str]) -> bool:
         """Whether ``meant``, which is a command itself, has a verb, and what was said none: "americano with milk, no,
@@ -352,8 +362,7 @@ class Replacements:
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
 
 
-def _last_quantity(reading: Reading | None) -> str:
+def _last_quantity(reading: Reading) -> str:
     """The number or the like that was said last: one that corrects and is beyond its limits may be meant for that."""
-    slots = reading.slots if reading is not None else ()
-    spoken = sorted((slot.start, slot.label) for slot in slots if slot.slot.type in QUANTITY_KINDS)
+    spoken = sorted((slot.start, slot.label) for slot in reading.slots if slot.slot.type in QUANTITY_KINDS)
     return spoken[-1][1] if spoken else ""
