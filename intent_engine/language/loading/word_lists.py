@@ -41,6 +41,6 @@ def _ways(pieces: Iterator[str]) -> list[str]:
             continue
         choices = _ways(pieces) if piece in ("(", "[") else [piece]
         if piece == "[":
-            choices.append("")
+            choices.insert(0, "")
         begun = [way + choice for way in begun for choice in choices]
     return complete + begun
