@@ -17,6 +17,7 @@ from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.corrections.hesitation import Hesitations
 from intent_engine.language.meaning.corrections.replacement import Replacements
+from intent_engine.language.meaning.joined_doubts import JoinedDoubts
 from intent_engine.language.meaning.negations.negation import Negations
 from intent_engine.language.meaning.not_commands.sayings import Sayings
 from intent_engine.language.meaning.phrases import Phrases
@@ -93,7 +94,7 @@ RULES = {
     (Replacements, "_grafted"): lambda self, slot, words, at, meant, whole, last: False,
     (Corrections, "taken_back"): lambda self, words: 0,
     (Compounds, "split"): lambda self, core, state, exactly=False: None,
-    (Compounds, "_unless_the_way_back"): lambda self, clause, onward: onward,
+    (JoinedDoubts, "unless_the_way_back"): lambda self, clause, onward: onward,
     (Sayings, "within"): lambda self, said, parts: "",
     (Hesitations, "or_either"): lambda self, parts, said, state: parts,
     (WhosePlace, "settled"): lambda self, reading: (reading, (), ""),
