@@ -246,12 +246,12 @@ class FreeText:
             (
                 word
                 for word, before, after in beside
-                if (
+                if (not after or after in self._words.joining or self._of_nothing(word, after))
+                and not _meant(slot, word)
+                and (
                     (self._words.is_not_held(word) and not self._is_solid(before, word, after))
                     or self._words.is_manner(word)
                 )
-                and not _meant(slot, word)
-                and (not after or after in self._words.joining or self._of_nothing(word, after))
             ),
             "",
         )
