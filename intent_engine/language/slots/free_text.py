@@ -235,8 +235,9 @@ class FreeText:
         if not slot.known:
             how = self._names_a_thing(slot) and self._words.is_manner(said[-1]) and not _meant(slot, said[-1])
             return said[-1] if how else ""
-        if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
-            return said[0]  # "take part", though a part is a thing
+        alone = len(said) == 1 or (said[0] in self._words.pronouns and said[-2] in self._words.joining)
+        if alone and said[-1] in self._words.bare and said[-1] not in slot.allow:
+            return said[-1]  # "take part", though a part is a thing; "take it on board"
         if len(said) > 1 and (self._points_at_all(slot, said) or self._is_a_particle(slot, said)):
             return said[-1]
         if word := self._taken.stays(slot, said):

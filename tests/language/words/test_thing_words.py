@@ -40,7 +40,15 @@ def test_words_are_written_as_utterances_are():
     """Lower case and no punctuation: what is not could never be met."""
     for file in Path(_FOLDER).glob("*.yaml"):
         words = thing_words(file.stem)
-        lists = (words.articles, words.joining, words.never, words.not_bare, words.not_held, words.stays, words.unfinished)
+        lists = (
+            words.articles,
+            words.joining,
+            words.never,
+            words.not_bare,
+            words.not_held,
+            words.stays,
+            words.unfinished,
+        )
         for word in frozenset[str]().union(*lists):
             assert word.islower(), (file.name, word)
             assert word.isalpha(), (file.name, word)
@@ -59,7 +67,11 @@ def test_no_words_of_manner(word):
 @pytest.mark.parametrize(
     ("language", "held", "not_held"),
     [
-        ("en", "harness prism lotion ration document fence balance station garment", "kindness realism motion friendship"),
+        (
+            "en",
+            "harness prism lotion ration document fence balance station garment",
+            "kindness realism motion friendship",
+        ),
         ("en", "city spaceship basement decoration sequence", "generosity narration childhood amazement importance"),
         ("de", "zeitung flüssigkeit taschenlampe botschaft", "freundschaft gelegenheit tätigkeit realismus qualität"),
     ],

@@ -158,7 +158,9 @@ def test_in_one_breath_only_a_verb_begins_a_command(said: str) -> None:
     assert does(f"{said.rsplit(None, 2)[0]}, turn left") == "left 43"
 
 
-@pytest.mark.parametrize("said", ["wir haben es noch links", "wir haben Hunger noch links", "wir haben das noch zurück"])
+@pytest.mark.parametrize(
+    "said", ["wir haben es noch links", "wir haben Hunger noch links", "wir haben das noch zurück"]
+)
 def test_in_one_breath_in_german(said: str) -> None:
     assert not german().parse(said).actions
     assert done(german().parse("es ist spät also fahr nach links")) == "left 43"
