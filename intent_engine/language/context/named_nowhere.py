@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.wordings.pronouns import things_of
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -23,13 +24,16 @@ def named_nowhere(found: Interpretation, grammar: Grammar) -> str:
         grammar: in which it was said.
     """
     pronouns = {" ".join(words) for words in grammar.operators.pronoun}
+    one = pronouns - grammar.wording.several  # "them" may be people
     for slots in _steps(found):
-        free = [value for label, value in slots.items() if isinstance(value, str) and _is_free(label, grammar)]
-        thing, *others = free or ("",)
-        pointing = next((value for value in others if value in pronouns), "")
-        if pointing and thing not in pronouns and _one_of_many(thing, found.text, grammar.language):
-            return pointing
-        if any(isinstance(value, str) and value not in pronouns for value in slots.values()):
+        said = {label: value for label, value in slots.items() if isinstance(value, str)}
+        if not one.isdisjoint(said.values()):
+            things = things_of(grammar)
+            thing, *others = [value for label, value in said.items() if _is_free(label, grammar, things)] or ("",)
+            pointing = next((value for value in others if value in one), "")
+            if pointing and thing not in pronouns and _one_of_many(thing, found.text, grammar.language):
+                return pointing
+        if not pronouns.issuperset(said.values()):
             return ""  # "drive to the lab and put a cup on it"
     return ""
 
@@ -40,10 +44,10 @@ def _steps(found: Interpretation) -> Iterator[Mapping[str, Any]]:
     yield from (step["slots"] for step in steps) if isinstance(steps, list) else (found.slots,)
 
 
-def _is_free(label: str, grammar: Grammar) -> bool:
-    """Whether a slot of any words may be called so in a sentence: one that lists its values holds no pronoun."""
-    slot = grammar.slots.get(label)
-    return slot is None or slot.type in FREE_KINDS
+def _is_free(label: str, grammar: Grammar, things: Collection[str]) -> bool:
+    """Whether a slot that holds things in any words may be called so in a sentence: a poem "about it" is about
+    anything."""
+    return label in things or label not in grammar.slots
 
 
 def _one_of_many(thing: str, text: str, language: str) -> bool:

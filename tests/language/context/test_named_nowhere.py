@@ -27,6 +27,7 @@ def test_one_of_many_things_is_put_nowhere(put: str, where: str) -> None:
         ("put it on a table", "place it table"),
         ("go to the kitchen and put it on a tray", "to kitchen, place it tray"),
         ("put a lid on the pot", "place lid pot"),
+        ("bring a coffee to them", "bring"),  # who stand there
     ],
 )
 def test_what_was_named_or_is_held_is_known(said: str, meant: str) -> None:
@@ -40,3 +41,11 @@ def test_what_was_named_by_the_utterance_before_is_known(article: str, where: st
     assert not shipped().parse(command, last=[]).actions
     found = shipped().parse(command)
     assert found.reason == "'it' is nothing that was named; say where"
+
+
+def test_a_text_may_be_about_anything(engine_of) -> None:
+    engine = engine_of("""
+slots: {kind: {type: text, max_words: 2}, subject: {type: text, max_words: 2}}
+intents: {write: {action: custom, sentences: ["write {kind} about {subject}"]}}
+""")
+    assert engine.parse("write a poem about it").actions

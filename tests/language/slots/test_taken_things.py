@@ -10,11 +10,9 @@ from intent_engine import IntentEngine
 ARM = """
 language: en
 slots:
-  thing: {type: text, max_words: 4}
   listed: {type: text, known: [cup, house]}
   scene: {type: object, known: [lamp]}
 intents:
-  take: {action: {type: pick, object: "{thing}"}, sentences: ["take {thing}"]}
   lift: {action: {type: pick, object: "{listed}"}, sentences: ["lift {listed}"]}
   film: {action: custom, sentences: ["film {scene}"]}
 """
