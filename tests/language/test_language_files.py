@@ -102,7 +102,8 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         # To be done: nobody has written these for all languages.
         "dating": "en", "where": "en", "days": "en", "repeating": "en",
         "definite": "de en", "itself": "de en", "manner": "de en", "manners": "de en", "measures": "de en",
-        "not_bare": "de en", "not_held": "de en", "pronouns": "de en",
+        "not_bare": "de en", "not_held": "de en", "not_held_endings": "de en", "held_endings": "de en",
+        "stays": "de en", "pronouns": "de en",
         "describing": "en", "solid": "en",
     },
 }  # fmt: skip

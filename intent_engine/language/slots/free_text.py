@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterator, Sequence
-from functools import cached_property
+from collections.abc import Collection, Sequence
 
 from intent_engine.language import quantities
-from intent_engine.language.grammar import ACTION_PARAMETERS, FREE_KINDS, Grammar, Slot
-from intent_engine.language.loading.grammar_intents import slot_of_parameter
+from intent_engine.language.grammar import FREE_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.slots.name_words import accented_names
+from intent_engine.language.slots.taken_things import TakenThings
 from intent_engine.language.slots.told_besides import ToldBesides
-from intent_engine.language.templates.template_tree import Node, Reference, references
 from intent_engine.language.words.contractions import shortened
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import ARTICLES, thing_words
@@ -63,36 +61,16 @@ class FreeText:
         self._binding = (words.joining | self.articles | words.binding) - {one[0] for one in grammar.wording.why}
         self._begun = shortened(operators.closed | words.pronouns) if self._language == "en" else frozenset[str]()
         """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""
+        self._taken = TakenThings(grammar)
         self._besides, self._softens = ToldBesides(grammar), grammar.wording.softens
         self.unfinished = words.unfinished
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone
         """Words that are never the only one."""
 
-    @cached_property
-    def _taken(self) -> frozenset[str]:
-        """Slots that hold a thing that is picked up or put somewhere, and those of type ``object``."""
-        slots = self._grammar.slots
-        found = {name for name, slot in slots.items() if slot.type == "object"}
-        for intent in self._grammar.intents.values():
-            if "object" not in ACTION_PARAMETERS[intent.action.type]:
-                continue
-            label = slot_of_parameter(intent.action, "object")
-            for sentence in intent.all_sentences:
-                named = self._references(sentence.template)
-                found.update(one.name for one in named if one.label == label and one.name in slots)
-        return frozenset(found)
-
-    def _references(self, node: Node) -> Iterator[Reference]:
-        """The slots that a template names, also in its phrases."""
-        for reference in references(node):
-            yield reference
-            if (phrase := self._grammar.phrases.get(reference.name)) is not None:
-                yield from self._references(phrase)
-
     def is_thing(self, slot: Slot) -> bool:
         """Whether a slot holds the name of a thing: it lists some, is of type ``object``, or is picked up or put."""
-        return slot.type in FREE_KINDS and (bool(slot.known) or slot.name in self._taken)
+        return slot.type in FREE_KINDS and (bool(slot.known) or slot in self._taken)
 
     def _names_a_thing(self, slot: Slot) -> bool:
         """The same, but not of what is dictated, unless it is one of a list."""
@@ -195,7 +173,7 @@ class FreeText:
         said, before, wording = words[start:end], words[:start][-1:], self._grammar.wording
         if _meant(slot, said[0]):
             return False
-        if slot.name not in self._taken:
+        if slot not in self._taken:
             given = said[0] in wording.for_whom and not (slot.dictation or wording.gives.isdisjoint(before))
             brought = not wording.brings.isdisjoint(before) and said[-1] not in self._words.joining  # "get me dune"
             return given and len(said) > 1 and (said[1] in self.articles or (brought and said[1] not in self._going_on))
@@ -257,21 +235,24 @@ class FreeText:
         if not slot.known:
             how = self._names_a_thing(slot) and self._words.is_manner(said[-1]) and not _meant(slot, said[-1])
             return said[-1] if how else ""
-        if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
-            return said[0]  # "take part", though a part is a thing
+        alone = len(said) == 1 or (said[0] in self._words.pronouns and said[-2] in self._words.joining)
+        if alone and said[-1] in self._words.bare and said[-1] not in slot.allow:
+            return said[-1]  # "take part", though a part is a thing; "take it on board"
         if len(said) > 1 and (self._points_at_all(slot, said) or self._is_a_particle(slot, said)):
             return said[-1]
+        if word := self._taken.stays(slot, said):
+            return word
         beside = zip(said, ("", *said[:-1]), (*said[1:], ""), strict=True)
         return next(
             (
                 word
                 for word, before, after in beside
-                if (
-                    (word in self._words.not_held and not self._is_solid(before, word, after))
+                if (not after or after in self._words.joining or self._of_nothing(word, after))
+                and not _meant(slot, word)
+                and (
+                    (self._words.is_not_held(word) and not self._is_solid(before, word, after))
                     or self._words.is_manner(word)
                 )
-                and not _meant(slot, word)
-                and (not after or after in self._words.joining or self._of_nothing(word, after))
             ),
             "",
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cache, cached_property
 from pathlib import Path
@@ -55,6 +55,12 @@ class ThingWords:
     """No name begins so without an article."""
     not_held: frozenset[str] = frozenset()
     """Not to be held, where no other word of the name follows."""
+    not_held_endings: frozenset[str] = frozenset()
+    """Endings of such words,"""
+    held_endings: frozenset[str] = frozenset()
+    """but not of those that end so; with a "^" it is the whole word."""
+    stays: frozenset[str] = frozenset()
+    """No thing that is taken, though things are given to it or put there."""
     had: frozenset[str] = frozenset()
     """Those of them of which things have one."""
     solid: frozenset[str] = frozenset()
@@ -117,7 +123,11 @@ class ThingWords:
 
     def is_manner(self, word: str) -> bool:
         """Whether a word says how something is done: it is one that does, or ends so and has two letters before."""
-        return word in self.manners or (len(word) > 2 and self._manner.search(word, 2) is not None)
+        return word in self.manners or _ends(word, self._manner)
+
+    def is_not_held(self, word: str) -> bool:
+        """Whether a word tells of nothing that a hand can hold: it is one of those, or ends as they do: "kindness"."""
+        return word in self.not_held or (_ends(word, self._not_held) and not _ends(word, self._held, 0))
 
     @property
     def definite_of_things(self) -> frozenset[str]:
@@ -126,8 +136,25 @@ class ThingWords:
 
     @cached_property
     def _manner(self) -> re.Pattern[str]:
-        endings = "|".join(sorted(self.manner))
-        return re.compile(f"(?:{endings})$" if endings else "(?!)")
+        return _ending(self.manner)
+
+    @cached_property
+    def _not_held(self) -> re.Pattern[str]:
+        return _ending(self.not_held_endings)
+
+    @cached_property
+    def _held(self) -> re.Pattern[str]:
+        return _ending(self.held_endings)
+
+
+def _ending(endings: Collection[str]) -> re.Pattern[str]:
+    """A pattern of what ends with one of them."""
+    return re.compile(f"(?:{'|'.join(sorted(endings))})$" if endings else "(?!)")
+
+
+def _ends(word: str, ending: re.Pattern[str], least: int = 2) -> bool:
+    """Whether a word ends so and has so many letters before."""
+    return len(word) > least and ending.search(word, least) is not None
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -29,7 +30,9 @@ def test_no_example_is_refused_by_its_own_lists(language):
         said = example.split()
         assert words.never.isdisjoint(said), example
         assert said[0] not in words.joining | words.not_bare, example
-        assert said[-1] not in words.joining | words.not_held, example
+        assert said[-1] not in words.joining, example
+        assert not words.is_not_held(said[-1]), example
+        assert words.stays.isdisjoint(said), example
         assert not words.is_manner(said[-1]), example
 
 
@@ -37,7 +40,16 @@ def test_words_are_written_as_utterances_are():
     """Lower case and no punctuation: what is not could never be met."""
     for file in Path(_FOLDER).glob("*.yaml"):
         words = thing_words(file.stem)
-        for word in words.articles | words.joining | words.never | words.not_bare | words.not_held | words.unfinished:
+        lists = (
+            words.articles,
+            words.joining,
+            words.never,
+            words.not_bare,
+            words.not_held,
+            words.stays,
+            words.unfinished,
+        )
+        for word in frozenset[str]().union(*lists):
             assert word.islower(), (file.name, word)
             assert word.isalpha(), (file.name, word)
 
@@ -50,6 +62,32 @@ def test_words_of_manner(word):
 @pytest.mark.parametrize("word", ["family", "assembly", "butterfly", "jelly", "ally", "reply"])
 def test_no_words_of_manner(word):
     assert not thing_words("en").is_manner(word)
+
+
+@pytest.mark.parametrize(
+    ("language", "held", "not_held"),
+    [
+        (
+            "en",
+            "harness prism lotion ration document fence balance station garment",
+            "kindness realism motion friendship",
+        ),
+        ("en", "city spaceship basement decoration sequence", "generosity narration childhood amazement importance"),
+        ("de", "zeitung flüssigkeit taschenlampe botschaft", "freundschaft gelegenheit tätigkeit realismus qualität"),
+    ],
+)
+def test_what_nobody_can_hold_is_known_by_its_ending(language: str, held: str, not_held: str) -> None:
+    words = thing_words(language)
+    assert not [word for word in held.split() if words.is_not_held(word)]
+    assert not [word for word in not_held.split() if not words.is_not_held(word)]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_word_is_listed_that_its_ending_tells(language: str) -> None:
+    """Else a list grows that a rule has; an exception of a rule may be no thing all the same."""
+    words = thing_words(language)
+    alone = replace(words, not_held=frozenset[str]())
+    assert not [word for word in words.not_held if alone.is_not_held(word)]
 
 
 def test_a_language_without_a_file_has_no_such_words():

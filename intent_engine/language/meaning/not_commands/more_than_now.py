@@ -32,6 +32,7 @@ class MoreThanNow:
         self._level = table.words.get("level", frozenset())
         self._added = PhraseSet(words.split() for words in table.words.get("added", ()))
         self._units = PhraseSet((*table.names, *own))
+        self._sizes = frozenset[str]().union(*grammar.wording.sizes.values())
 
     def within(self, words: Sequence[str], parts: Sequence[Clause]) -> str:
         """What is said so; empty: nothing is, or it stands in free words.
@@ -44,21 +45,22 @@ class MoreThanNow:
             return ""
         free = [" ".join(name) for part in parts for name in part.free_names]
         for at, word in enumerate(words[:-1]):
-            end = max(self._ends(words, at + 1), default=0) if word in self._level else 0
+            size = words[at - 1] if at else ""
+            end = max(self._ends(words, at + 1, size), default=0) if word in self._level else 0
             said = " ".join(words[at + 1 : end])
             if said and not any(said in text for text in free):
                 return said
         return ""
 
-    def _ends(self, words: Sequence[str], begin: int) -> Iterator[int]:
+    def _ends(self, words: Sequence[str], begin: int, size: str) -> Iterator[int]:
         """Where such a value ends that begins at a place: "ten percent *more*", "two more *degrees*", "another ten
-        *percent*"."""
+        *percent*". Behind a size it has any unit: "the *pressure* to three more bar"."""
         led = self._added.at(words, begin)
         for start in {begin, begin + led}:
             for _, after in parser_of(self._language).numbers_at(words, start):
                 more = self._added.at(words, after)
                 unit = after + more + self._units.at(words, after + more)
-                if unit == after + more:
+                if unit == after + more and not (size in self._sizes and unit < len(words)):
                     continue
                 behind = self._added.at(words, unit)
                 if more or behind or start > begin:

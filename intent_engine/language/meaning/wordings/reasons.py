@@ -76,6 +76,8 @@ class Reasons:
         parted = [at for at in range(1, len(core)) if core.breaks[at] is not False or self._says_why(core, at)]
         for at in parted[:1]:
             told, command = core.words[:at], core.part(at, len(core))
+            if core.breaks[at] is None and command.words[0] in self._names and not self._says_why(core, at):
+                continue  # "we have it just right": a small word is no pause, and no verb is behind it
             if self._is_reason(self._in_full(told, text), command.words, verbs):
                 yield command
         for at in parted[-1:]:

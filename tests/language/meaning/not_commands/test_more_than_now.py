@@ -25,6 +25,7 @@ intents:
   warm: {action: custom, sentences: ["heat to {heat} degrees"]}
   last: {action: custom, sentences: ["(wait|run) for {length}", "raise the lift by {height}"]}
   bring: {action: custom, sentences: ["bring it to {count} (room|rooms)"]}
+  press: {action: custom, sentences: ["raise the pressure to {heat} bar"]}
   write: {action: custom, sentences: ["write {note}"]}
 """
 OTHERS = {
@@ -63,6 +64,8 @@ intents: {{level: {{action: custom, sentences: ["{sentence}"]}}}}
         "raise the lift to two more meters",
         "run at two more dots",
         "heat to 5 more degrees",
+        "raise the pressure to 3 more bar",
+        "raise the pressure to another three bar",
         "heat to 50 degrees, then set the fan to 20 percent more",
         "write hello and then set the fan to 20 percent more",
     ],
@@ -93,6 +96,7 @@ def test_in_other_languages(language: str, more: str, level: str) -> None:
         ("run for two minutes more", {"length": 120}),
         ("raise the lift by two more meters", {"height": 2}),
         ("bring it to two more rooms", {"count": 2}),
+        ("raise the pressure to 3 bar", {"heat": 3}),
         ("write turn it to ten percent more", {"note": "turn it to ten percent more"}),
     ],
 )

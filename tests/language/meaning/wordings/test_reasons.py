@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from meanings import assert_same
+from meanings import assert_same, does, done, german
 
 from intent_engine import IntentEngine
 
@@ -149,3 +149,18 @@ def test_no_place_of_the_map_is_a_reason(engine_of) -> None:
     engine = engine_of(grammar, locations={"lab": (0, 0, 0), "old mill": (1, 0, 0)})
     assert not engine.parse("go to the lab, it's old mill").actions
     assert engine.parse("go to the lab, it's late").actions
+
+
+@pytest.mark.parametrize("said", ["we have it just right", "I have it about right", "we are late so left"])
+def test_in_one_breath_only_a_verb_begins_a_command(said: str) -> None:
+    """A small word that says nothing is no pause: what is told may go on."""
+    assert does(said) == "rejected"
+    assert does(f"{said.rsplit(None, 2)[0]}, turn left") == "left 43"
+
+
+@pytest.mark.parametrize(
+    "said", ["wir haben es noch links", "wir haben Hunger noch links", "wir haben das noch zurück"]
+)
+def test_in_one_breath_in_german(said: str) -> None:
+    assert not german().parse(said).actions
+    assert done(german().parse("es ist spät also fahr nach links")) == "left 43"
