@@ -21,6 +21,9 @@ __all__ = ["WORDS_KEPT", "Names", "Writer", "spellings", "written"]
 WORDS_KEPT = 20_000
 """Words of which is kept how a model writes them: those of a large map. What is heard in months must not add up."""
 
+TWO_FIGURES = 2
+"""Figures of a number to which an "a" may belong as a letter."""
+
 _WRITTEN = {
     "i": "I",
     "id": "I'd",
@@ -55,9 +58,9 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: numbers in words, and in digits, "60%", in English "20th", and in other languages
-    "45°"; names small and plain, and with a capital; in English "José", and "Jose"; a wake word without a comma after
-    it, and with one.
+    """Words as they may be spelled: numbers in words, and in digits, "60%", in English "20th" and "B3", and in other
+    languages "45°"; names small and plain, and with a capital; in English "José", and "Jose"; a wake word without a
+    comma after it, and with one.
 
     Args:
         words: normalised.
@@ -69,7 +72,8 @@ def spellings(words: Sequence[str], language: str | None, names: Names | None = 
         counted.append(in_digits(ordinals))
     numbers = dict.fromkeys((tuple(words), *(one for way in counted for one in _with_signs(way, language))))
     named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
-    found = dict.fromkeys((*numbers, *named))
+    coded = [_with_codes(spelled) for spelled in numbers] if language in (None, "en") else []
+    found = dict.fromkeys((*numbers, *named, *coded))
     if language in (None, "en") and not all(map(str.isascii, words)):
         found |= dict.fromkeys([tuple(map(without_accents, spelled)) for spelled in found])
     if names is not None and (count := names.calls.at(words, 0)):
@@ -88,6 +92,25 @@ def _with_signs(words: Sequence[str], language: str | None) -> list[tuple[str, .
     percents = {word: "%" for word, key in names.items() if key == "percent"}
     degrees = {word: "°" for word, key in names.items() if key == "deg"}
     return [_signed(plain, percents), _signed(plain, percents | degrees)]
+
+
+def _with_codes(words: Sequence[str]) -> tuple[str, ...]:
+    """Words with every letter that stands beside a number in figures written together with it: "B3", "12A"; but "make
+    a 180". Of eight commands with such a code by synthetic voices seven are 2 to 5 nats likelier so for tiny.en, and seven
+    0 to 6 for Moonshine."""
+    found: list[str] = []
+    for word in words:
+        last = found[-1] if found else ""
+        joins = word.isdigit() and _is_letter(last) and (last not in ARTICLES or len(word) <= TWO_FIGURES)
+        if joins or (last.isdigit() and _is_letter(word)):
+            found[-1] = (last + word).upper()
+        else:
+            found.append(word)
+    return tuple(found)
+
+
+def _is_letter(word: str) -> bool:
+    return len(word) == 1 and word.isalpha()
 
 
 def _signed(words: Sequence[str], signs: Mapping[str, str]) -> tuple[str, ...]:

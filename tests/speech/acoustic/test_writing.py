@@ -48,6 +48,8 @@ def test_it_is_read_as_the_same_words(words):
         ("weed the twentieth row", "en", ["20th row"]),
         ("weed the fifth row in ten minutes", "en", ["fifth row in 10 minutes", "5th row in 10 minutes"]),
         ("dans la vingtième rangée", "fr", []),
+        ("go to bay b three", "en", ["bay b 3", "bay B3"]),
+        ("go to lab twelve a", "en", ["lab 12 a", "lab 12A"]),
     ],
 )
 def test_numbers_are_written_in_digits_too(words, language, spelled):
