@@ -209,6 +209,20 @@ def test_letters_are_told_apart_and_heard_by_their_sound():
     assert _index(["aisle b", "aisle c"]).resolve("aisle d").name is None
 
 
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        *((said, None) for said in ("four", "the four", "my 4", "these four", "4", "an 4")),
+        *((said, "A4") for said in ("a four", "A4", "the a 4", "a4")),
+        *((said, "A B") for said in ("a b", "the a b")),
+        ("b", None),
+        ("lab", "a lab"),
+    ],
+)
+def test_the_letter_of_a_code_is_no_article(said, name):
+    assert _index(["A4", "B4", "C4", "A B", "a lab"]).resolve(said).name == name
+
+
 def test_a_place_really_called_so_wins_over_a_sound():
     index = _index(["bay 3", "bay tree"])
     assert index.resolve("bay tree").name == "bay tree"

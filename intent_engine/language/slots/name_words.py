@@ -94,9 +94,10 @@ def name_words(name: str | Sequence[str]) -> tuple[str, ...]:
 
 
 def without_article(words: tuple[str, ...]) -> tuple[str, ...]:
-    """The words after the articles in front, if any word is left."""
+    """The words after the articles in front, if any word is left. A letter before a number is none: of "A4" and "B4"
+    neither is "the four"."""
     at = 0
-    while at < len(words) - 1 and words[at] in ARTICLES:
+    while at < len(words) - 1 and words[at] in ARTICLES and not (len(words[at]) == 1 and is_identifier(words[at + 1])):
         at += 1
     return words[at:]
 
