@@ -223,6 +223,18 @@ def test_the_letter_of_a_code_is_no_article(said, name):
     assert _index(["A4", "B4", "C4", "A B", "a lab"]).resolve(said).name == name
 
 
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        *((said, "B3") for said in ("bee three", "be 3", "bravo three", "the bee three")),
+        *((said, "C4") for said in ("see four", "charlie 4")),
+        *((said, None) for said in ("to three", "see me", "bee", "bravo", "be free", "delta 3")),
+    ],
+)
+def test_the_letter_of_a_code_is_heard_by_its_sound_before_a_number(said, name):
+    assert _index(["B3", "C4", "E7"]).resolve(said).name == name
+
+
 def test_a_place_really_called_so_wins_over_a_sound():
     index = _index(["bay 3", "bay tree"])
     assert index.resolve("bay tree").name == "bay tree"

@@ -193,8 +193,10 @@ def _joined(words: list[str]) -> list[str]:
 
 
 def heard_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """The same words with one or two of them taken for a number or letter that sounds alike, the first never."""
-    places = [place for place, word in enumerate(words) if place and word in ALIKES][-4:]
+    """The same words with one or two of them taken for a number or letter that sounds alike; the first for a letter
+    before a number alone ("bee three")."""
+    coded = len(words) > 1 and _is_number(words[1]) and words[0] not in _NUMBER_ALIKES
+    places = [place for place, word in enumerate(words) if word in ALIKES and (place or coded)][-4:]
     for count in (1, 2):
         for chosen in itertools.combinations(places, count):
             yield name_words([ALIKES[word] if place in chosen else word for place, word in enumerate(words)])
