@@ -96,8 +96,8 @@ def _with_signs(words: Sequence[str], language: str | None) -> list[tuple[str, .
 
 def _with_codes(words: Sequence[str]) -> tuple[str, ...]:
     """Words with every letter that stands beside a number in figures written together with it: "B3", "12A"; but "make
-    a 180". Of eight commands with such a code by synthetic voices seven are 2 to 5 nats likelier so for tiny.en, and seven
-    0 to 6 for Moonshine."""
+    a 180". Of eight commands with such a code by synthetic voices seven are 2 to 5 nats likelier so for tiny.en, and
+    seven 0 to 6 for Moonshine."""
     found: list[str] = []
     for word in words:
         last = found[-1] if found else ""

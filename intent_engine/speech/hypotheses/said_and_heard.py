@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.actions import Action
+from intent_engine.language.words.homophones import LETTERS_BY_SOUND
 from intent_engine.language.words.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_open import open_range, open_word
@@ -101,6 +102,18 @@ class SaidAndHeard:
         unheard = set(self.words).difference(*self.heard)
         said = sorted(word for word in shared if not unheard.isdisjoint(opposed(word, self.language)))
         return tuple(said[:1])
+
+    def letter_otherwise(self) -> tuple[str, ...]:
+        """The word of the grammar that all models heard and the sentence has not, where it has a letter that none
+        heard: of "bay five" nobody knows which bay it is, and it is no "b five". A "be" or "see" may be that letter."""
+        if self._free or not self.heard:
+            return ()
+        heard = {LETTERS_BY_SOUND.get(word, word) for one in self.heard for word in one}
+        if all(len(word) > 1 or word in heard for word in self.words):
+            return ()
+        shared = (word for word in self.heard[0] if all(word in one for one in self.heard))
+        other = (word for word in shared if len(word) > 1 and word not in self.words and not self._says_nothing([word]))
+        return tuple(word for word in other if self.grammar.share_known([word], self.language) == 1.0)[:1]
 
     def left_open(self) -> tuple[str, ...]:
         """What all models heard that leaves open what is meant, and the sentence has not: "or", "at most", "two to

@@ -24,6 +24,26 @@ def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sen
 
 
 @pytest.mark.parametrize(
+    ("sentence", "heard", "otherwise"),
+    [
+        ("scan b five", ["scan bay five"] * 2, ("bay",)),
+        ("scan b five", ["scan bay five", "span bay to"], ("bay",)),
+        ("scan b five", ["scan bay five", "scan b five"], ()),
+        ("scan b five", ["scan g five"] * 2, ()),
+        ("scan b five", ["scan be five"] * 2, ()),
+        ("scan b five", ["scan they five"] * 2, ()),  # no word of the grammar
+        ("scan bay b five", ["scan bay bay five"] * 2, ()),  # who stammers
+        ("scan b five", [], ()),
+    ],
+)
+def test_a_word_that_all_heard_is_no_letter(tmp_path, sentence, heard, otherwise):
+    file = tmp_path / "depot.yaml"
+    file.write_text("slots: {bay: [A5, B5]}\nintents: {scan: {action: custom, sentences: ['scan [bay] {bay}']}}\n")
+    grammar = SpokenGrammar(IntentEngine.from_files(file))
+    assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).letter_otherwise() == otherwise
+
+
+@pytest.mark.parametrize(
     ("heard", "unheard"),
     [
         (["and two grams of salt"] * 2, ()),
