@@ -9,6 +9,7 @@ from itertools import pairwise
 from intent_engine.actions import Action
 from intent_engine.language.words.homophones import LETTERS_BY_SOUND
 from intent_engine.language.words.opposites import opposed
+from intent_engine.language.words.thing_words import ARTICLES
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_open import open_range, open_word
 from intent_engine.speech.hypotheses.left_out import (
@@ -109,11 +110,12 @@ class SaidAndHeard:
         if self._free or not self.heard:
             return ()
         heard = {LETTERS_BY_SOUND.get(word, word) for one in self.heard for word in one}
-        if all(len(word) > 1 or word in heard for word in self.words):
+        if all(len(word) > 1 or word in heard or word in ARTICLES for word in self.words):
             return ()
-        shared = (word for word in self.heard[0] if all(word in one for one in self.heard))
-        other = (word for word in shared if len(word) > 1 and word not in self.words and not self._says_nothing([word]))
-        return tuple(word for word in other if self.grammar.share_known([word], self.language) == 1.0)[:1]
+        shared = [word for word in self.heard[0] if len(word) > 1 and all(word in one for one in self.heard)]
+        others = (word for word in shared if word not in self.words and word not in ARTICLES)
+        known = (word for word in others if self.grammar.share_known([word], self.language) == 1.0)
+        return tuple(word for word in known if not self._says_nothing([word]))[:1]
 
     def left_open(self) -> tuple[str, ...]:
         """What all models heard that leaves open what is meant, and the sentence has not: "or", "at most", "two to
