@@ -81,7 +81,8 @@ def test_what_recognisers_write_changes_no_meaning(engine, said):
 def test_what_is_negated_moves_nothing(engine, said):
     found = engine.parse(said.text)
     assert not moves(found), found.actions
-    if found.actions != (Stop(),):  # "mach nicht weiter": "nicht weiter" is one
+    unfinished = found.status is Status.INCOMPLETE  # "in place of again": "again" says nothing, and what is meant?
+    if found.actions != (Stop(),) and not unfinished:  # "mach nicht weiter": "nicht weiter" is one
         assert_means(found, said.expected)
 
 
