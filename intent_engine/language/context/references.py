@@ -17,7 +17,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.wordings.pronouns import ThingsNamed
 from intent_engine.needs import Needs
 
-__all__ = ["Before", "rejected", "resolve"]
+__all__ = ["Before", "resolve"]
 
 Before: TypeAlias = Interpretation | Sequence[Action] | Action
 """What was done before: as it was understood, with what its intents ask of the states of the robot, or its actions."""
@@ -47,7 +47,7 @@ def resolve(
         points at cannot be done in these states.
     """
     if len({isinstance(action, ChangeSpeed) for action in found.actions}) > 1:
-        return rejected(found, _SPEED_BY_ITSELF)
+        return _rejected(found, _SPEED_BY_ITSELF)
     before = last[-1] if last else None
     needed = asked[-1] if last and len(asked) == len(last) else None
     named = ThingsNamed(grammar, last or ())
@@ -61,10 +61,10 @@ def resolve(
         again = done_again(action, last, before, said_after=place > 0 or found.corrected)
         meant = named.put_in(action) if again is None else again
         if isinstance(meant, str):
-            return rejected(found, meant)
+            return _rejected(found, meant)
         if again is not None and needed is not None:
             if unmet := needed.unmet(state):
-                return rejected(found, unmet)
+                return _rejected(found, unmet)
             if own is not None:
                 own = needs[place] = needed.joined(own)
         named.add(meant)
@@ -75,6 +75,5 @@ def resolve(
     return replace(found, actions=tuple(actions), needs=tuple(needs))
 
 
-def rejected(found: Interpretation, reason: str) -> Interpretation:
-    """What was said, with why it is not done."""
+def _rejected(found: Interpretation, reason: str) -> Interpretation:
     return Interpretation(found.text, Status.REJECTED, found.intent, found.slots, (), 0.0, (), reason)

@@ -13,8 +13,7 @@ from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import as_joined, goes_on_from
 from intent_engine.language.context.named_before import named_before
-from intent_engine.language.context.named_nowhere import named_nowhere
-from intent_engine.language.context.references import Before, rejected, resolve
+from intent_engine.language.context.references import Before, resolve
 from intent_engine.language.context.said_instead import may_forbid, said_instead
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
@@ -114,8 +113,6 @@ class Understanding(Generic[_Parser]):
             found, parser = named
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
-        if found.actions and not before and (it := named_nowhere(found, parser.matcher.grammar)):
-            found = rejected(found, f"{it!r} is nothing that was named; say where")
         if self._by_voice and Cause.NO_COMMAND in found.causes:
             found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
         if found.question is not None and before:
