@@ -29,11 +29,7 @@ OWNERS = {"my": "us", "our": "us", "your": "you"}
 """Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
 office"."""
 NUMBER_WORDS = frozenset((*english_words.SMALL, *english_words.ZERO, *english_words.SCALES, "hundred", "hundreds"))
-ORDINALS = frozenset((
-    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
-    "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth",
-    "twentieth", "thirtieth", "fortieth", "fiftieth", "sixtieth", "seventieth", "eightieth", "ninetieth",
-))  # fmt: skip
+ORDINALS = frozenset((*english_words.ORDINAL_UNITS, *english_words.ORDINAL_TENS))
 _SPECIAL = NUMBER_WORDS | ORDINALS | frozenset(("the", "number", "nr", "point"))
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*(?: (?:0|[1-9][0-9]*))?")
 _ABBREVIATED = re.compile(r"\b(?:no|nr)\s*\.\s*(?=\d)|#\s*(?=\d)", re.IGNORECASE)

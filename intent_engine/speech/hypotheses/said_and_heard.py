@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.actions import Action
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.words.homophones import LETTERS_BY_SOUND
 from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.thing_words import ARTICLES
@@ -105,12 +107,14 @@ class SaidAndHeard:
         return tuple(said[:1])
 
     def letter_otherwise(self) -> tuple[str, ...]:
-        """The word of the grammar that all models heard and the sentence has not, where it has a letter that none
-        heard: of "bay five" nobody knows which bay it is, and it is no "b five". A "be" or "see" may be that letter."""
-        if self._free or not self.heard:
+        """The word of the grammar that all models heard and the sentence has not, where it has a letter beside a number
+        that none heard: of "bay five" nobody knows which bay it is, and it is no "b five". A "be" may be that
+        letter."""
+        if self._free or not self.heard or not self._english:
             return ()
-        heard = {LETTERS_BY_SOUND.get(word, word) for one in self.heard for word in one}
-        if all(len(word) > 1 or word in heard or word in ARTICLES for word in self.words):
+        heard = {LETTERS_BY_SOUND.get(word, word) for one in self.heard for word in one} | ARTICLES
+        beside = (pair for one in pairwise(self.words) for pair in (one, one[::-1]))
+        if all(word in heard for word, number in beside if len(word) == 1 and word.isalpha() and _is_number(number)):
             return ()
         shared = [word for word in self.heard[0] if len(word) > 1 and all(word in one for one in self.heard)]
         others = (word for word in shared if word not in self.words and word not in ARTICLES)
@@ -188,3 +192,7 @@ class SaidAndHeard:
 
     def _says_nothing(self, part: Sequence[str]) -> bool:
         return self.grammar.says_nothing(part, self.language)
+
+
+def _is_number(word: str) -> bool:
+    return word in NUMBER_WORDS or is_numeral(word)

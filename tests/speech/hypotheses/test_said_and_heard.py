@@ -31,6 +31,8 @@ def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sen
         ("scan b five", ["scan bay five", "scan b five"], ()),
         ("scan b five", ["scan g five"] * 2, ()),
         ("scan b five", ["scan be five"] * 2, ()),
+        ("scan bay five b", ["scan bay five bay"] * 2, ()),  # which the sentence has
+        ("i want you to scan a five", ["would you like to scan a five"] * 2, ()),  # whose "I" is no code
         ("scan b five", ["scan they five"] * 2, ()),  # no word of the grammar
         ("scan bay b five", ["scan bay bay five"] * 2, ()),  # who stammers
         ("scan the b five", ["scan a five"] * 2, ()),  # who says "the", and is heard to say "a", says nothing else
