@@ -11,16 +11,18 @@ from intent_engine.language import quantities
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.checking.trace_checks import NUMBERS_BY_SOUND, loses_a_number, means_nothing
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Sentence
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.networks.network import Call, Edge, Networks, State
 from intent_engine.language.networks.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.networks.utterance_network import UtteranceNetwork
 from intent_engine.language.networks.word_state import Trace, WordState
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
+from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slots.adjacent_numbers import amounts_apart, is_number, numbers_apart, parted_at_joint
 from intent_engine.language.slots.free_text import FreeText
+from intent_engine.language.slots.growing_numbers import GrowingNumbers
 from intent_engine.language.slots.slot_values import SlotValues
 from intent_engine.language.templates.alternative_slots import alternatives
 from intent_engine.language.utterance import Utterance
@@ -161,10 +163,31 @@ class Matcher:
         while (short := self._without_filler(words)) is not None:
             words = short
         rest = self.ahead(words) - {Continuation.NOTHING}
-        last, language = (words[-1] if words else ""), self.grammar.language
-        if rest and (last in NUMBER_WORDS or is_number(last, language)):
-            return False  # "one hundred" may go on to "and twenty"
+        last = words[-1] if words else ""
+        if rest and (last in NUMBER_WORDS or self.is_number(last)):
+            # "One hundred" may go on to "and twenty".
+            return rest == {Continuation.MORE} and not self._may_grow(words)
         return rest <= {Continuation.MORE, Continuation.MANNER}
+
+    def _may_grow(self, words: Sequence[str]) -> bool:
+        """Whether the number with which some words end may still become another."""
+        ways = self.begun.ways_on(words)
+        within = {slot for *_, trace in ways if (slot := _slot_under_way(trace)) is not None}
+        return any(self._growing.may_grow(self.grammar.slots[name], label, words, at) for label, name, at in within)
+
+    @cached_property
+    def _growing(self) -> GrowingNumbers:
+        def read(slot: Slot, label: str, words: list[str], begin: int, end: int) -> SlotReading:
+            return self.values.read(slot, label, words, begin, end, None, False)
+
+        return GrowingNumbers(read, self._number_words_after, self.grammar.language)
+
+    def _number_words_after(self, words: Sequence[str]) -> list[str]:
+        _, reached = self.begun.walk(words)
+        following = self.begun.next_words(reached) if reached is not None else ()
+        table = units(self.grammar.language)
+        joining = table.words["and"] if table is not None else ()
+        return [word for word in following if word in joining or word in NUMBER_WORDS or self.is_number(word)]
 
     def tells_manner(self, words: Sequence[str]) -> bool:
         """Whether a speed may follow a whole command."""
@@ -325,6 +348,17 @@ class Matcher:
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""
         return is_number(word, self.grammar.language)
+
+
+def _slot_under_way(trace: Trace) -> tuple[str, str, int] | None:
+    """The label and the name of the slot that the words so far end in, and where it begins; None: they end in none."""
+    under_way = None
+    for position, mark in trace:
+        if mark[0] == "open" and mark[1][0] == "slot":
+            under_way = mark[1][1], mark[1][2], position
+        elif mark[0] == "close" and mark[1][0] == "slot":
+            under_way = None
+    return under_way
 
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:

@@ -31,8 +31,7 @@ from intent_engine.speech.hypotheses.opinion import Opinion, Reading, read_alone
 from intent_engine.speech.hypotheses.other_commands import OtherCommands
 from intent_engine.speech.hypotheses.pace import too_few, too_many
 from intent_engine.speech.hypotheses.ranking import ranked
-from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
-from intent_engine.speech.hypotheses.weighing import doubted
+from intent_engine.speech.hypotheses.weighing import beside_heard, doubted
 from intent_engine.speech.recognizer import Encoded, Transcript
 
 if TYPE_CHECKING:
@@ -236,9 +235,9 @@ class Steering(OtherCommands):
         otherwise = said_otherwise(self.grammar, heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
-        said = SaidAndHeard(self.grammar, best, [heard.heard], transcript.language)
+        said = beside_heard(self.grammar, best, [heard])
         unclear += said.begins_unheard()
-        left_out = self.left_out(heard.encoded, best, heard.heard, transcript) or said.opposite()
+        left_out = self.left_out(heard.encoded, best, heard.heard_beside(best), transcript) or said.opposite()
         return replace(transcript, unclear=unclear, left_out=left_out)
 
     def _hardly_heard_before(self, heard: Opinion) -> list[str]:

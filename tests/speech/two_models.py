@@ -49,6 +49,9 @@ class Thinks:
     def heard(self) -> list[str]:
         return self.transcript.free_text.split()
 
+    def heard_beside(self, _words) -> list[str]:
+        return self.heard
+
     def views(self, sentences):
         return [
             View(self.scores.get(" ".join(said), UNLIKELY), LIKELY, letters_apart(said, self.heard))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 
@@ -10,10 +11,20 @@ from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.ordinals_spelled import ordinal_otherwise
 from intent_engine.language.numbers.units import units
 
-__all__ = ["figures_otherwise", "in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
+__all__ = [
+    "figures_apart",
+    "figures_otherwise",
+    "in_digits",
+    "in_words",
+    "number_end",
+    "number_otherwise",
+    "number_words",
+]
 
 _ONES = {value: word for word, value in {**english_words.DIGITS, **english_words.TEENS}.items()}
 _TENS = {value: word for word, value in english_words.TENS.items() if word != "fourty"}
+
+_THREE_FIGURES = re.compile(r"(?<![\d.,:])([1-9])([1-9]\d)(?![.,:]?\d)")
 
 
 @lru_cache(maxsize=4096)
@@ -120,6 +131,12 @@ def number_otherwise(words: Sequence[str]) -> tuple[int, tuple[tuple[str, ...], 
         return end, ()
     ways = dict.fromkeys((digits, spelled, *_said(digits[0], spelled)))
     return end, tuple(way for way in ways if way != own)
+
+
+def figures_apart(text: str, language: str | None = "en") -> str:
+    """A text with its English numbers of three figures apart as they may have been said: "4 60" for "460", which is
+    what recognisers write for "four sixty" too, and for the "pour sixty" of a grammar, or "for sixty"."""
+    return _THREE_FIGURES.sub(r"\1 \2", text) if language in (None, "en") else text
 
 
 def figures_otherwise(words: Sequence[str], language: str) -> tuple[int, tuple[tuple[str, ...], ...]]:

@@ -17,9 +17,8 @@ from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, dictat
 from intent_engine.speech.hypotheses.evidence import letters_apart
 from intent_engine.speech.hypotheses.forbidding import said_otherwise
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, as_read
-from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
-from intent_engine.speech.hypotheses.weighing import Each, begun_otherwise, crossed, doubted, opposed_too
+from intent_engine.speech.hypotheses.weighing import Each, begun_otherwise, beside_heard, crossed, doubted, opposed_too
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import SURE_ENOUGH
 
@@ -68,8 +67,7 @@ class Combination:
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            texts = [one.transcript.free_text for one in (first, second)]
-            said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language, texts)
+            said = beside_heard(self._grammar, best.words, (first, second))
             unclear += said.begins_unheard() + said.unheard_inside() + said.either_heard()
             left_out = said.left_out() or said.left_open() or said.opposite() or said.passed_over()
             left_out = left_out or said.letter_otherwise() or said.heard_otherwise(best.evidence.confidence)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from intent_engine.actions import Action
 from intent_engine.language.networks.approximate import FreeWord
+from intent_engine.language.numbers.spelled import figures_apart
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.hypotheses.evidence import Evidence, View, letters_apart
@@ -67,6 +68,16 @@ class Opinion:
         """The words heard freely, numbers as words."""
         return self.model.grammar.words(self.transcript.free_text, self.transcript.language)
 
+    def heard_beside(self, words: Sequence[str]) -> list[str]:
+        """The same, of the ways to read a number in figures the one that is the most like a sentence."""
+        return min(self._hearings, key=lambda heard: letters_apart(words, heard))
+
+    @property
+    def _hearings(self) -> list[list[str]]:
+        free, language = self.transcript.free_text, self.transcript.language
+        texts = dict.fromkeys((free, figures_apart(free, language)))
+        return [self.model.grammar.words(text, language) for text in texts]
+
     def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
         """What the model thinks of sentences, its own or others'."""
         heard = self.heard
@@ -90,11 +101,14 @@ class Opinion:
     def viewed(self, scores: Mapping[tuple[str, ...], float]) -> dict[tuple[str, ...], View]:
         """What the model thinks of sentences of which it has said how likely they are. One that it heard word by word
         is as likely as what it wrote, however it wrote that ("Touchdown!")."""
-        heard = self.heard
+        hearings = self._hearings
         (free_score,) = self.model.score(self.encoded, [self.transcript.free_text], self.transcript.language)
-        if (said := tuple(heard)) in scores:
+        if (said := tuple(hearings[0])) in scores:
             scores = {**scores, said: max(scores[said], free_score)}
-        return {words: View(score, free_score, letters_apart(words, heard)) for words, score in scores.items()}
+        return {
+            words: View(score, free_score, min(letters_apart(words, one) for one in hearings))
+            for words, score in scores.items()
+        }
 
     def beside(self, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
         """As :meth:`Steering.beside`."""

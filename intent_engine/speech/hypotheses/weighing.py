@@ -15,7 +15,7 @@ from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
-__all__ = ["Each", "begun_otherwise", "crossed", "doubted", "opposed_too"]
+__all__ = ["Each", "begun_otherwise", "beside_heard", "crossed", "doubted", "opposed_too"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a
@@ -70,7 +70,7 @@ def begun_otherwise(
         readings: what that gave.
     """
     best = readings[0].words if readings else ()
-    left_out = _beside_heard(grammar, best, opinions).begin_left_out()
+    left_out = beside_heard(grammar, best, opinions).begin_left_out()
     if not left_out:
         return list(readings)
     known = {one.words for one in readings}
@@ -91,7 +91,7 @@ def crossed(
         readings: what that gave.
     """
     language = opinions[0].transcript.language
-    if not readings or not _beside_heard(grammar, readings[0].words, opinions).left_out():
+    if not readings or not beside_heard(grammar, readings[0].words, opinions).left_out():
         return list(readings)
     known = dict.fromkeys(one.words for one in readings)
     ways = (way for other in readings[1:MOST_CROSSED] for way in _crossings(readings[0].words, other.words))
@@ -100,7 +100,7 @@ def crossed(
         for words in dict.fromkeys(ways)
         if words not in known
         and grammar.possible(words, (), language)
-        and not _beside_heard(grammar, words, opinions).left_out()
+        and not beside_heard(grammar, words, opinions).left_out()
     ]
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
 
@@ -123,8 +123,17 @@ def opposed_too(
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
 
 
-def _beside_heard(grammar: SpokenGrammar, words: tuple[str, ...], opinions: Sequence[Opinion]) -> SaidAndHeard:
-    return SaidAndHeard(grammar, words, [one.heard for one in opinions], opinions[0].transcript.language)
+def beside_heard(grammar: SpokenGrammar, words: tuple[str, ...], opinions: Sequence[Opinion]) -> SaidAndHeard:
+    """A sentence of a grammar beside what models heard.
+
+    Args:
+        grammar: whose sentence.
+        words: of the sentence.
+        opinions: of the same sound.
+    """
+    heard = [one.heard_beside(words) for one in opinions]
+    texts = [one.transcript.free_text for one in opinions]
+    return SaidAndHeard(grammar, words, heard, opinions[0].transcript.language, texts)
 
 
 def _crossings(one: tuple[str, ...], other: tuple[str, ...]) -> Iterator[tuple[str, ...]]:

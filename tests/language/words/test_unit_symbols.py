@@ -19,6 +19,9 @@ intents:
   flow: {action: custom, sentences: ["flow {n} liters per minute"]}
   feed: {action: custom, sentences: ["feed {n} (millimeters|mm) per minute"]}
   heat: {action: custom, sentences: ["heat to {n} degrees celsius"]}
+  turn: {action: custom, sentences: ["tighten to {n} newton meters", "loosen with {n} newtonmeters"]}
+  spin: {action: custom, sentences: ["spin at {n} rpm", "mill at {n} revolutions per minute"]}
+  film: {action: custom, sentences: ["film {n} frames per second"]}
   weigh:
     action: custom
     regex: "weigh (?P<n>\\\\d+) grams"
@@ -43,6 +46,14 @@ def engine(engine_of) -> IntentEngine:
         ("flow 3 liters per min", "flow", 3),
         ("feed 1,200 mm/min", "feed", 1200),
         ("heat to 95 deg C", "heat", 95),
+        ("heat to 95 C", "heat", 95),
+        ("tighten to 40 Nm", "turn", 40),
+        ("tighten to 40Nm, no, 50 Nm", "turn", 50),
+        ("loosen with 12 newton meters", "turn", 12),
+        ("mill at 800 rpm", "spin", 800),
+        ("mill at 800 revs per minute", "spin", 800),
+        ("mill at 800 rev per min", "spin", 800),
+        ("film 30 fps", "film", 30),
         ("weigh 20 g", "weigh", 20),
         ("lift 5 kg, no, 6 kg", "lift", 6),
     ],
@@ -59,7 +70,18 @@ def test_each_command_has_its_own(engine: IntentEngine) -> None:
 
 
 @pytest.mark.parametrize(
-    "said", ["lift kg", "lift 5, kg", "push with n", "don't lift 5 kg", "lift 5 ml", "flow 3 l per h", "push 800 v"]
+    "said",
+    [
+        "lift kg",
+        "lift 5, kg",
+        "push with n",
+        "don't lift 5 kg",
+        "lift 5 ml",
+        "flow 3 l per h",
+        "push 800 v",
+        "film fps",
+        "film 30, fps",
+    ],
 )
 def test_no_other_word_is(engine: IntentEngine, said: str) -> None:
     assert not engine.parse(said).actions
@@ -79,6 +101,7 @@ def test_a_word_of_the_grammar_is_itself(engine_of) -> None:
     ("language", "sentence", "said"),
     [
         ("de", "hebe {n} kilogramm", "hebe 5 kg"),
+        ("de", "zieh sie mit {n} newtonmeter an", "zieh sie mit 5 Nm an"),
         ("fr", "soulève {n} kilogrammes", "soulève 5 kg"),
         ("es", "levanta {n} kilogramos", "levanta 5 kg"),
         ("it", "solleva {n} chilogrammi", "solleva 5 kg"),

@@ -41,6 +41,9 @@ class Scripted:
     transcript: Transcript = field(default_factory=lambda: Transcript("make me a drink", language="en"))
     asked: list[str] = field(default_factory=list)
 
+    def heard_beside(self, _words: Sequence[str]) -> Sequence[str]:
+        return self.heard
+
     @property
     def sentences(self) -> tuple[tuple[str, ...], ...]:
         return tuple(map(order, self.thought_of))
