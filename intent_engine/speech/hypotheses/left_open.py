@@ -7,8 +7,14 @@ from collections.abc import Collection, Iterator, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.spelled import number_words
+from intent_engine.speech.hypotheses.evidence import letters_apart
 
 __all__ = ["open_range", "open_word"]
+
+LONG = 6
+"""Letters of a word from which recognisers that do not know it write it as several: "or sato" for "risotto";"""
+IN_PIECES = 0.5
+"""and share of its letters by which these differ from it at most."""
 
 _SIGN = re.compile(r"(?<![\d./-])(\d{1,9})\s?([-–/])\s?(\d{1,9})(?![\d/-])")
 
@@ -25,7 +31,21 @@ def open_word(words: Sequence[str], heard: Sequence[Sequence[str]], leaving_open
     if not heard:
         return ()
     shared = set.intersection(*map(set, heard)) - set(words)
-    return sorted(shared.intersection(leaving_open))[:1]
+    found = sorted(shared.intersection(leaving_open))
+    return [word for word in found if not all(_is_piece(word, words, one) for one in heard)][:1]
+
+
+def _is_piece(word: str, words: Sequence[str], heard: Sequence[str]) -> bool:
+    """Whether a word that a model heard is, with the ones beside it, a long word of a sentence that it did not hear."""
+    place = heard.index(word)
+    unheard = [own for own in words if len(own) >= LONG and own not in heard]
+    parts = [heard[begin:end] for begin in (max(place - 1, 0), place) for end in (place + 1, place + 2)]
+    strange = [part for part in parts if len(part) > 1 and set(words).isdisjoint(part)]
+    return any(
+        letters_apart([own], part) <= IN_PIECES * max(len(own), len("".join(part)))
+        for own in unheard
+        for part in strange
+    )
 
 
 def open_range(

@@ -18,6 +18,12 @@ OPEN = {"or", "most"}
         ("dispense two tablets", ["dispense at most two tablets", "dispense it most two tablets"], ["most"]),
         ("open the door and close the door", ["open the door or close the door", "open the door and close it"], []),
         ("bring it to the or", ["bring it to the or"] * 2, []),
+        ("take the risotto to table four", ["take the or sato to table for", "take the or sotto to table four"], []),
+        ("add the oregano", ["add the or gano"] * 2, []),
+        ("add the oregano", ["add the or gano", "add the salt or pepper"], ["or"]),
+        ("take the risotto", ["take the rice or tofu"] * 2, ["or"]),
+        ("open the door", ["open the window or door"] * 2, ["or"]),
+        ("open the window", ["open the wind or window"] * 2, ["or"]),
         ("open the door", [], []),
     ],
 )

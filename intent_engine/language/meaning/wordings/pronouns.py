@@ -5,8 +5,8 @@ the same utterance or the one before. One for several is refused where more than
 what may be a place that was named later, in the same utterance, unless the thing is held. A slot that lists
 its names, or has them from a map, holds no pronoun: there the name is put in before the utterance is understood, the
 *only one* that fits of those that were said in it; where none or several fit, it is no command. So is the name of a
-thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and no article ("das"); a whole
-command stands before it.
+thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and before a noun no article
+("that", "das"); a whole command stands before it.
 
 So there are two ways to put one in. By its text alone "look at the cup, take the ball and drop it" would have two
 things that fit, and the utterance before, which is known by its actions, none; by its value alone "photograph it" would
@@ -142,6 +142,17 @@ def _named(action: Action, things: Collection[str]) -> dict[str, object]:
     return {key: action.slots.get(key) for key in keys}
 
 
+def _with_what_tells_which(reading: Reading, start: int, end: int) -> list[Sequence[str]]:
+    """A name with the values that stand straight before it, the most of them first: of "the big green cube" the "big
+    green cube" and the "green cube"."""
+    before = {slot.end: slot.start for slot in reading.slots if slot.slot.type in _TELLING and slot.start < slot.end}
+    found: list[Sequence[str]] = []
+    while start in before:
+        start = before[start]
+        found.insert(0, reading.words[start:end])
+    return found
+
+
 def _is_not_free(last: frozenset[str], free_words: Callable[[str], Collection[str]], text: str) -> bool:
     """Whether a name, by the words that it may end with, stands in no free words of a text."""
     return last.isdisjoint(free_words(text))
@@ -169,7 +180,9 @@ class NamesListed:
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
         known, several = thing_words(grammar.language), grammar.wording.several
-        self._pronouns = PhraseSet(words for words in grammar.operators.pronoun if known.articles.isdisjoint(words))
+        self._pronouns = PhraseSet(grammar.operators.pronoun)
+        self._no_pronouns = known.articles
+        self._no_noun_begins = known.joining | known.binding
         self._several = several
         self._plurals = known.plurals
         self._of_several = known.of_several
@@ -187,7 +200,7 @@ class NamesListed:
             core: what was said.
             as_said: what an utterance means that takes its place; None: it is no command.
         """
-        found = self._pronouns.find(core.words)
+        found = self._find(core.words)
         ends = range(found[0] - 1, 0, -1) if found is not None else ()
         wholes = (core.part(0, end) for end in ends if core.breaks[end] or self._sequence.at(core.words, end))
         _, before = next(filter(None, map(as_said, wholes)), (None, ()))
@@ -219,8 +232,8 @@ class NamesListed:
             before: gives the earlier commands.
             free_words: gives the words that are free in a text.
         """
-        found = self._pronouns.find(core.words)
-        if found is None or self._pronouns.find(core.words, sum(found)) is not None:
+        found = self._find(core.words)
+        if found is None or self._find(core.words, sum(found)) is not None:
             return []
         pronoun = core.words[found[0] : sum(found)]
         said: list[NameSaid] = []
@@ -235,6 +248,7 @@ class NamesListed:
         names: dict[object, Sequence[str]] = {}
         meant: set[object] = set()
         led: dict[object, list[Sequence[str]]] = {}
+        fuller: dict[object, list[Sequence[str]]] = {}
         one = self._several.isdisjoint(core.words)
         own: list[NameSaid] = []
         for reading in (part.reading for part in before if part.reading is not None):
@@ -245,11 +259,16 @@ class NamesListed:
                     names.setdefault(slot.value, reading.words[slot.start : slot.end])
                     before_it = reading.words[slot.start - 1 : slot.start]
                     led.setdefault(slot.value, [before_it] if not self._definite.isdisjoint(before_it) else [])
+                    fuller.setdefault(slot.value, _with_what_tells_which(reading, slot.start, slot.end))
             own += self._own_things(reading, one=one)
             own += self._numbered(reading) if one else ()
         listed = [
             NameSaid(
-                [(*article, *name) for article in self._articles_of(name, led.get(value, []))],
+                [
+                    (*article, *way)
+                    for way in (*fuller.get(value, ()), name)
+                    for article in self._articles_of(way, led.get(value, []))
+                ],
                 value in meant,
             )
             for value, name in names.items()
@@ -294,9 +313,20 @@ class NamesListed:
             name = words[noun : slot.end]
             yield NameSaid([(*article, *name) for article in self._articles_of(name, [])], is_meant=True)
 
+    def _find(self, words: Sequence[str], at: int = 0) -> tuple[int, int] | None:
+        """Where the next pronoun stands, and how many words it has. One that is an article too ("that", "das") is one
+        before no noun: "put that in the bin"."""
+        while (found := self._pronouns.find(words, at)) is not None:
+            begin, count = found
+            end = begin + count
+            if self._no_pronouns.isdisjoint(words[begin:end]) or self._no_noun_begins.issuperset(words[end : end + 1]):
+                return found
+            at = end
+        return None
+
     def _with_name(self, core: Utterance, name: Sequence[str]) -> Utterance:
         said, place = core, 0
-        while (found := self._pronouns.find(said.words, place)) is not None:
+        while (found := self._find(said.words, place)) is not None:
             at, length = found
             said = said.with_other(at, at + length, Utterance.in_one_breath(name))
             place = at + len(name)
