@@ -18,6 +18,7 @@ from intent_engine.language.utterance import Utterance
 __all__ = ["are_apart", "figures_apart", "figures_joined"]
 
 _TOGETHER = re.compile(r"(\d{1,2})\.?(\d\d)")
+_THREE_FIGURES = "100"
 _FIGURES = re.compile(r"\d{1,2}")
 
 
@@ -67,9 +68,10 @@ def _is_whole(word: str) -> bool:
 
 def are_apart(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
     """Whether each such figure of an utterance is the values of two slots in a row, the first of which cannot hold it
-    as it is written: else nobody knows that two numbers were meant."""
+    as it is written: else nobody knows that two numbers were meant. Nor where one of them takes three figures: of
+    "page 1123 times" they may be 11 and 23, or 112 and 3."""
     found = {
-        (reading.words[one.end - 1], " ".join(reading.words[other.start : other.end])): (one, reading.words)
+        (reading.words[one.end - 1], " ".join(reading.words[other.start : other.end])): (one, other, reading.words)
         for reading in readings
         for one, other in pairwise(reading.slots)
         if one.end == other.start and one.slot.type == other.slot.type == "number"
@@ -77,8 +79,10 @@ def are_apart(said: Utterance, readings: Sequence[Reading], language: str) -> bo
     for two in _twos(said, language):
         if (two.first, two.second) not in found:
             return False
-        slot, words = found[two.first, two.second]
+        slot, other, words = found[two.first, two.second]
         if may_hold(slot, [*words[slot.start : slot.end - 1], *two.said], language):
+            return False
+        if any(may_hold(one, [_THREE_FIGURES], language) for one in (slot, other)):
             return False
     return True
 

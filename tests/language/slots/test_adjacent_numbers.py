@@ -31,6 +31,9 @@ intents:
   between:
     action: {type: custom, name: between}
     sentences: ["between {x} and {y}"]
+  copy:
+    action: {type: custom, name: copy}
+    sentences: ["copy page {short:page} [{minute:copies} times]", "scan page {minute:page} [{short:copies} times]"]
 """
 
 
@@ -93,7 +96,16 @@ def test_a_zero_that_parts_nothing_parts_no_number(engine, said):
 
 
 @pytest.mark.parametrize(
-    "said", ["wake me at 6.75", "wake me at 1365", "point at 630", "count to 6.30", "wake me at 25.30"]
+    "said",
+    [
+        "wake me at 6.75",
+        "wake me at 1365",
+        "point at 630",
+        "count to 6.30",
+        "wake me at 25.30",
+        "copy page 1123 times",
+        "scan page 1123 times",
+    ],
 )
 def test_figures_that_are_no_two_numbers_are_one(engine, said):
     assert engine.parse(said).actions == ()
