@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from string import ascii_lowercase
 
 from intent_engine.interpretation import Cause, Interpretation
 from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.alike import alike
 from intent_engine.language.numbers.english_words import DIGITS
+from intent_engine.language.numbers.letters import is_letter_of_a_code
 from intent_engine.language.numbers.spelled import in_digits, number_end
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -50,6 +52,8 @@ FOR_FORTY = {"for": "forty", "forty": "for"}
 """What sounds alike before a digit, "for five degrees" and "forty five degrees","""
 FOR_MARGIN = 1.5
 """and the nats by which either must be likelier."""
+LETTER_MARGIN = 3.0
+"""nats by which a letter beside a number, "f three", must be likelier than any other: most rhyme with several."""
 SURELY_THIS = 4.5
 """nats by which the first piece of a number that was heard is likelier than that of the one it sounds like, from which
 the sentences need not be compared: of 24 that were heard word by word these differed by as much, or up to 5 more."""
@@ -274,6 +278,8 @@ def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Itera
     yield from ((other, RIVAL_MARGIN + ends) for other in alike(word, language))
     if english and word in FOR_FORTY and after in DIGITS:
         yield FOR_FORTY[word], FOR_MARGIN
+    if is_letter_of_a_code(words, at, language):
+        yield from ((other, LETTER_MARGIN) for other in ascii_lowercase if other != word)
 
 
 def _in_figures(words: Sequence[str]) -> tuple[tuple[str, int], ...]:

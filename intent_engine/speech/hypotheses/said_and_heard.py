@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.actions import Action
-from intent_engine.language.numbers.english_words import NUMBER_WORDS
-from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.letters import is_letter_of_a_code
 from intent_engine.language.words.homophones import LETTERS_BY_SOUND
 from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.thing_words import ARTICLES
@@ -113,8 +112,7 @@ class SaidAndHeard:
         if self._free or not self.heard or not self._english:
             return ()
         heard = {LETTERS_BY_SOUND.get(word, word) for one in self.heard for word in one} | ARTICLES
-        beside = (pair for one in pairwise(self.words) for pair in (one, one[::-1]))
-        if all(word in heard for word, number in beside if len(word) == 1 and word.isalpha() and _is_number(number)):
+        if all(word in heard for at, word in enumerate(self.words) if is_letter_of_a_code(self.words, at)):
             return ()
         shared = [word for word in self.heard[0] if len(word) > 1 and all(word in one for one in self.heard)]
         others = (word for word in shared if word not in self.words and word not in ARTICLES)
@@ -192,7 +190,3 @@ class SaidAndHeard:
 
     def _says_nothing(self, part: Sequence[str]) -> bool:
         return self.grammar.says_nothing(part, self.language)
-
-
-def _is_number(word: str) -> bool:
-    return word in NUMBER_WORDS or is_numeral(word)

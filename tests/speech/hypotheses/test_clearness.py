@@ -11,6 +11,7 @@ import pytest
 from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
 
 NOT = "Do not ", "Don't ", "Never "
@@ -120,6 +121,37 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     assert unclear_words(whisper, encoded, ["serve", "sixteen", "ounces"], "en") == (), (
         "the grammar has no sixty of them"
     )
+
+
+BAYS = """
+language: en
+slots: {bay: [A5, B5, C5, 12B, 12C]}
+intents: {scan: {action: custom, sentences: ["scan [bay] {bay}"]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "other", "margin", "unclear"),
+    [
+        ("scan bay b five", "c", 2.9, ("b",)),
+        ("scan bay b five", "c", 3.0, ()),
+        ("scan bay twelve b", "c", 2.9, ("b",)),
+        ("scan bay b five", "d", 0.0, ()),  # there is none
+        ("scan bay twelve b", "a", 0.0, ()),
+    ],
+)
+def test_a_letter_of_a_code_may_be_another(whisper, spoken, engine_of, monkeypatch, words, other, margin, unclear):
+    def has(text: str, letter: str) -> bool:
+        return re.search(rf"\b(\d+|)(?i:{letter})(\d+|)\b", text) is not None
+
+    def score(text: str) -> float:
+        if text.startswith(NOT):
+            return -20.0
+        return -1.0 if has(text, "b") else -1.0 - margin if has(text, other) else -20.0
+
+    monkeypatch.setattr(whisper, "grammar", SpokenGrammar(engine_of(BAYS)))
+    monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [score(text) for text in texts])
+    assert unclear_words(whisper, whisper.encode(spoken), tuple(words.split()), "en") == unclear
 
 
 @pytest.mark.parametrize(
