@@ -8,9 +8,12 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import FREE_KINDS, Grammar, Sentence, problem_at
+from intent_engine.language.loading.grammar_intents import slots_by_label
 from intent_engine.language.loading.grammar_parts import Draft, Places
 from intent_engine.language.loading.grammar_shapes import Shapes
+from intent_engine.language.loading.yaml_source import YamlPath
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import slots_of_patterns, unsaid_patterns
@@ -35,6 +38,8 @@ __all__ = ["grammar_doubts"]
 
 MAX_SPELLINGS = 256
 """Ways to say a sentence that are looked at."""
+NEAR = 80.0
+"""Percent of the letters of a default's name that are those of a slot: it is mistyped, and no constant of its own."""
 _OPTIONAL = re.compile(r"([^\W\d_]+)\?(?=\s+[\w({\[])")
 """A word with a "?" in the midst of a sentence."""
 _STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
@@ -78,6 +83,7 @@ def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[P
     yield from _denials(grammar, draft)
     yield from _neighbours(grammar, draft)
     yield from _fixed_in_vain(grammar)
+    yield from _defaults_in_vain(grammar, places)
     yield from _strokes(grammar, draft)
     yield from _foreign_signs(draft)
     yield from _tags(grammar, draft)
@@ -168,6 +174,28 @@ def _fixed_in_vain(grammar: Grammar) -> Iterator[Problem]:
             )
             hint = f"leave it out of slots:, or let it be said or not: [{{{label}}}]"
             yield problem_at(sentence.place, message, hint)
+
+
+def _defaults_in_vain(grammar: Grammar, places: Places) -> Iterator[Problem]:
+    """Defaults of actions of the program's own that are called nearly as a slot, or that the action does not take."""
+    for intent in grammar.intents.values():
+        if intent.action.type != "custom" or intent.regex or intent.lark:
+            continue
+        labels = set(slots_by_label((sentence.template for sentence in intent.all_sentences), grammar))
+        fixed = {label for sentence in intent.all_sentences for label in sentence.fixed}
+        taken = {str(value).strip("{}") for value in intent.action.parameters.values()}
+        base: YamlPath = ("intents", intent.name)
+        given = [((*base, "defaults", key), key) for key in intent.defaults]
+        for index, condition in enumerate(intent.when):
+            given += [((*base, "when", index, "defaults", key), key) for key in condition.defaults]
+        for path, key in given:
+            if key in labels | fixed | taken:
+                continue
+            near = did_you_mean(key, labels, alike=NEAR)
+            if near is not None or taken:
+                what = "which the action does not take" if taken else "which no sentence has"
+                hint = near or f"it takes {', '.join(sorted(taken))}"
+                yield places.problem(path, f"a default for {key!r}, {what}", hint, key=True)
 
 
 def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
