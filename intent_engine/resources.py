@@ -11,7 +11,7 @@ from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["default_grammar", "default_locations", "default_robot", "find", "names", "shipped"]
+__all__ = ["default_grammar", "default_locations", "default_robot", "find", "is_shipped", "names", "shipped"]
 
 PACKAGE = Path(__file__).parent
 _SUFFIX = ".yaml"
@@ -60,6 +60,12 @@ def names(kind: str) -> list[str]:
 def shipped(kind: str, name: str) -> Path | None:
     """A file that comes with the engine, by its full name; None where it was left out."""
     return next((folder / name for folder in _folders(kind)[1:] if (folder / name).is_file()), None)
+
+
+def is_shipped(file: str | Path) -> bool:
+    """Whether a file is one of those that come with the engine, and no copy of a user."""
+    folder = Path(file).resolve().parent
+    return any(folder == known.resolve() for known in _folders(folder.name)[1:])
 
 
 def default_grammar(language: str = "en") -> Path:

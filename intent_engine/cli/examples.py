@@ -57,7 +57,7 @@ def run_examples(
     if missing:
         note(f"not tried are examples of places that the map has not: {', '.join(missing)}; --locations names another")
     if not outcomes:
-        note("there are none: write examples: below the sentences of an intent")
+        note("there are none: in a grammar they are examples: of an intent, in a test file tests:")
     return EXIT_NOT_ACCEPTED if failed else 0
 
 

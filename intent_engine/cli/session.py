@@ -173,6 +173,8 @@ class Session:
                 raise
             finally:
                 reporter.mute_stops()
+            if outbox is not None:
+                outbox.settle(0.0)  # who ended listening since nobody reads has heard nothing to complain about
             if check is not None:
                 check(summary)
             executor.wait()

@@ -18,6 +18,7 @@ from intent_engine.language.meaning import Interpreter, Understood
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.template_tree import Node, references
 from intent_engine.language.utterance import Utterance
+from intent_engine.resources import is_shipped
 
 __all__ = ["Coverage", "Missed"]
 
@@ -52,6 +53,8 @@ class _Report:
     totals: Mapping[str, int]
     """By the kind of a part: how many there are."""
     missed: Sequence[Missed]
+    included: Sequence[str] = ()
+    """Files that come with the engine, where a grammar of somebody else includes them: they have tests of their own."""
 
     def beside(self, other: _Report) -> _Report:
         """What neither of two processes reached."""
@@ -128,13 +131,14 @@ class Coverage:
         """Count what was reached in another process."""
         for one in told:
             missed = [Missed(**{**part, "place": part["place"] and Place(**part["place"])}) for part in one["missed"]]
-            self._elsewhere.append(_Report(one["title"], one["totals"], missed))
+            self._elsewhere.append(_Report(one["title"], one["totals"], missed, one["included"]))
 
     def _reports(self) -> list[_Report]:
         """One of each grammar, whoever used it."""
         found: dict[tuple[object, ...], _Report] = {}
         own = (
-            _Report(_title(seen.grammar), _totals(seen.grammar), list(_missed(seen))) for seen in self._seen.values()
+            _Report(_title(seen.grammar), _totals(seen.grammar), list(_missed(seen)), _included(seen.grammar))
+            for seen in self._seen.values()
         )
         for report in (*own, *self._elsewhere):
             key = (report.title, *report.totals.items())
@@ -152,10 +156,17 @@ class Coverage:
                 reached = total - sum(1 for item in report.missed if item.kind == kind)
                 counts.append(f"{reached} of {total} {kind}s")
             yield f"{report.title}: {', '.join(counts)}"
+            theirs = [item for item in report.missed if item.place is not None and item.place.file in report.included]
+            known = set(theirs)
             for item in report.missed:
+                if item in known:
+                    continue
                 where = f"{_short(item.place.file)}:{item.place.line}" if item.place is not None else ""
                 name = item.name if item.kind == "intent" else f"{item.intent}: {item.name}"
                 yield f"  {item.kind:<8} {where:<28} {name}"
+            if theirs:
+                names = ", ".join(Path(file).name for file in report.included)
+                yield f"  and of the engine's own {names} {_counted(theirs)}"
 
 
 def _parts(intent: Intent) -> dict[str, Place | None]:
@@ -203,6 +214,16 @@ def _missed(seen: _Seen) -> Iterator[Missed]:
         for label in _labels(seen.grammar, intent):
             if (name, label) not in seen.slots:
                 yield Missed("slot", name, label, intent.place)
+
+
+def _included(grammar: Grammar) -> list[str]:
+    files = [file for file in grammar.files if is_shipped(file)]
+    return files if len(files) < len(grammar.files) else []
+
+
+def _counted(parts: Sequence[Missed]) -> str:
+    counts = [(sum(part.kind == kind for part in parts), kind) for kind in ("intent", "sentence", "slot")]
+    return ", ".join(f"{count} {kind}{'s' * (count != 1)}" for count, kind in counts if count)
 
 
 def _title(grammar: Grammar) -> str:

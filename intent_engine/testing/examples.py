@@ -375,7 +375,9 @@ def _long_entry(source: YamlSource, path: YamlPath, entry: Mapping[str, Any], co
             assert actions is not None
             actions.append(from_json(action))
         except ValueError as error:
-            source.problem((*path, "actions", index), str(error), "see docs/json.md for actions")
+            source.problem(
+                (*path, "actions", index), str(error), "as parse --json shows them: {type: move, distance: 2.0, ...}"
+            )
     if not entry["say"]:
         source.problem((*path, "say"), "'say' is empty", "write a sentence, or several in a list")
     for text in _texts(entry["say"]):

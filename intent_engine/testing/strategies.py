@@ -103,8 +103,8 @@ def _check_corrections(sampler: Sampler, intent: str | None) -> None:
     if not any(sample is not None and corrected(sample, sampler, choices) is not None for sample in drawn):
         raise ConfigError(
             f"no sentence of {'the grammar' if intent is None else f'intent {intent!r}'} can be corrected so that what "
-            "is meant is known: none ends with a value that can be said again by itself, and there is no other intent "
-            "to say instead"
+            "is meant is known: none ends with a value that can be said again by itself, and behind none can another "
+            "command be said: there is none, or the sentence ends with free words, which would take it in"
         )
 
 

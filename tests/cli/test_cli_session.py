@@ -25,6 +25,7 @@ from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.journal import Journal
 from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.resources import default_grammar, default_robot
+from intent_engine.runtime.runtime import Runtime
 
 
 class Deaf:
@@ -143,3 +144,31 @@ def test_a_session_that_cannot_begin_leaves_no_process_behind(monkeypatch, tmp_p
         _with_a_wave(monkeypatch, clock=MonotonicClock(), drive=tmp_path / "out", journal=tmp_path / "file" / "journal")
     (guardian,) = made
     assert guardian._process.poll() is not None
+
+
+def test_nothing_is_said_of_what_was_heard_after_the_reader_had_gone(monkeypatch):
+    """A session that ends since nobody reads has not heard all of it: "nobody speaks in it" would be false."""
+    ended, asked = threading.Event(), []
+    close = Runtime.close
+
+    def closed(runtime: Runtime) -> None:
+        close(runtime)
+        ended.set()
+
+    def gone(*_: object) -> None:
+        raise BrokenPipeError
+
+    @contextlib.contextmanager
+    def controls(_: object, executor: Executor) -> Iterator[None]:
+        executor.submit(Move(0.5, 0.01, 0.02))
+        ended.wait(30.0)
+        yield
+
+    monkeypatch.setattr(Runtime, "close", closed)
+    monkeypatch.setattr(Reporter, "_line", lambda reporter, *_: reporter._write(gone))
+    monkeypatch.setattr(Session, "_recognizer", lambda self: Deaf())
+    engine, robot = IntentEngine.from_files(default_grammar()), load_robot(default_robot())
+    session = Session(engine, robot, MonotonicClock(), reflex=False, controls=controls)
+    with pytest.raises(BrokenPipeError):
+        session.play(SamplesSource(np.zeros(1_600, np.float32)), check=asked.append)
+    assert asked == []

@@ -49,6 +49,17 @@ MISTAKES: dict[str, str | bytes] = {
     "a file that holds nothing": "null\n",
     "quotes of a word processor": says("wave", "").replace("'wave'", "[\u201cwave [at {it}]\u201d]"),
     "a quote that a word processor closes": says("wave").replace("'wave'", '"wave\u201d'),
+    "a quote that is closed lines below": wave(
+        "sentences:", '  - "wave', "  - bow", "examples:", '  - "wave": {}', '  - "bow": {}'
+    ),
+    "a quote that is closed lines below, in brackets": wave(
+        "description: 'all of it'", 'sentences: ["wave]', 'examples: [{"wave": {}}]'
+    ),
+    "a colon of a Chinese keyboard": wave("sentences: [wave]").replace("language:", "language\uff1a"),
+    "a colon of a Japanese keyboard in an intent": wave("sentences\uff1a[wave]", "priority: 1"),
+    "a merge conflict": wave(
+        "<<<<<<< HEAD", "sentences: [wave]", "=======", "sentences: [bow]", ">>>>>>> theirs"
+    ).replace("    <<<<<<<", "<<<<<<<"),
     "a sentence with a colon before a slot": wave("sentences:", "  - look: {side}"),
     "a sentence in braces that are YAML's": wave("sentences: {side: up}"),
     "a sentence that is a slot alone, unquoted": wave("sentences: {side}"),
@@ -180,6 +191,11 @@ MISTAKES: dict[str, str | bytes] = {
     "a smallest size of nothing": slot("{type: angle, min: -90 deg, max: 90 deg, least: 0 deg}"),
     "a smallest size larger than max": slot("{type: angle, min: -90 deg, max: 90 deg, least: 2 rad}"),
     "a fixed value below the smallest size": move("defaults: {speed: 0.5}").replace("max: 1 m/s", "least: 1 m/s"),
+    "a max below zero, which bounds a size": slot("{type: distance, max: -5 m}"),
+    "a max below zero of what is never less": slot("{type: duration, max: -5 s}"),
+    "a number in quotes": slot('{type: duration, max: "90"}'),
+    "a number that YAML takes for a word": slot("{type: duration, max: 1e3}"),
+    "a whole number in quotes": slot('{type: number, max: "1e2"}'),
     "min larger than max": slot("{type: distance, min: 5 m, max: 10 cm}"),
     "a limit in the wrong unit": slot("{type: distance, min: 5 kg}"),
     "a limit in words that are no number": slot("{type: duration, max: long}"),

@@ -142,6 +142,25 @@ def test_coverage_lists_what_no_test_reaches(folder):
     result.stdout.fnmatch_lines(["wave.yaml: 2 of 3 intents, 3 of 4 sentences, 2 of 2 slots"])
 
 
+def test_coverage_counts_what_an_included_grammar_of_the_engine_has(folder):
+    """Its own tests are elsewhere: two hundred lines of it would hide the two that are missing here."""
+    (folder.path / "nod.yaml").write_text(
+        "include: [en]\nintents:\n  nod:\n    action: custom\n    sentences: [nod, bow]\n    examples: [nod]\n", "utf-8"
+    )
+    told = folder.runpytest("nod.yaml", "--intent-coverage").stdout.lines
+    (title,) = (at for at, line in enumerate(told) if "nod.yaml: 1 of" in line)
+    assert told[title + 1].split() == ["sentence", "nod.yaml:5", "nod:", "bow"]
+    assert told[title + 2].startswith("  and of the engine's own en.yaml 15 intents, ")
+    assert "en.yaml:" not in "".join(told[title + 1 :])
+    (folder.path / "test_it.py").write_text(
+        "from intent_engine import IntentEngine\n\n"
+        "def test_it():\n    assert IntentEngine.from_files('en').parse('turn left').actions\n",
+        "utf-8",
+    )
+    told = folder.runpytest("test_it.py", "--intent-coverage").stdout.lines
+    assert any(line.startswith("  intent") and "en.yaml:" in line for line in told)
+
+
 def test_coverage_counts_a_users_own_tests(folder):
     folder.makepyfile(
         """

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import FREE_KINDS, Grammar, Sentence, problem_at
+from intent_engine.language.loading.grammar_intents import slots_by_label
 from intent_engine.language.loading.grammar_parts import Draft, Places
 from intent_engine.language.loading.grammar_shapes import Shapes
+from intent_engine.language.loading.yaml_source import YamlPath
 from intent_engine.language.normalize import words_of
-from intent_engine.language.numbers.units import units
+from intent_engine.language.numbers.units import Units, units
 from intent_engine.language.pattern.patterns import slots_of_patterns, unsaid_patterns
 from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.templates.template_tree import (
@@ -35,6 +39,10 @@ __all__ = ["grammar_doubts"]
 
 MAX_SPELLINGS = 256
 """Ways to say a sentence that are looked at."""
+LONGEST_SIGN = 2
+"""Letters of a sign of a unit, which may be a word of its own: "in" of inches."""
+NEAR = 80.0
+"""Percent of the letters of a default's name that are those of a slot: it is mistyped, and no constant of its own."""
 _OPTIONAL = re.compile(r"([^\W\d_]+)\?(?=\s+[\w({\[])")
 """A word with a "?" in the midst of a sentence."""
 _STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
@@ -77,7 +85,9 @@ def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[P
     yield from _stopping(grammar)
     yield from _denials(grammar, draft)
     yield from _neighbours(grammar, draft)
+    yield from _units_said_twice(grammar, draft)
     yield from _fixed_in_vain(grammar)
+    yield from _defaults_in_vain(grammar, places)
     yield from _strokes(grammar, draft)
     yield from _foreign_signs(draft)
     yield from _tags(grammar, draft)
@@ -168,6 +178,28 @@ def _fixed_in_vain(grammar: Grammar) -> Iterator[Problem]:
             )
             hint = f"leave it out of slots:, or let it be said or not: [{{{label}}}]"
             yield problem_at(sentence.place, message, hint)
+
+
+def _defaults_in_vain(grammar: Grammar, places: Places) -> Iterator[Problem]:
+    """Defaults of actions of the program's own that are called nearly as a slot, or that the action does not take."""
+    for intent in grammar.intents.values():
+        if intent.action.type != "custom" or intent.regex or intent.lark:
+            continue
+        labels = set(slots_by_label((sentence.template for sentence in intent.all_sentences), grammar))
+        fixed = {label for sentence in intent.all_sentences for label in sentence.fixed}
+        taken = {str(value).strip("{}") for value in intent.action.parameters.values()}
+        base: YamlPath = ("intents", intent.name)
+        given = [((*base, "defaults", key), key) for key in intent.defaults]
+        for index, condition in enumerate(intent.when):
+            given += [((*base, "when", index, "defaults", key), key) for key in condition.defaults]
+        for path, key in given:
+            if key in labels | fixed | taken:
+                continue
+            near = did_you_mean(key, labels, alike=NEAR)
+            if near is not None or taken:
+                what = "which the action does not take" if taken else "which no sentence has"
+                hint = near or f"it takes {', '.join(sorted(taken))}"
+                yield places.problem(path, f"a default for {key!r}, {what}", hint, key=True)
 
 
 def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
@@ -276,17 +308,56 @@ def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
             return node if grammar.slots[node.name].type in FREE_KINDS else None
         return None
 
-    def pairs(node: Node) -> Iterator[tuple[Reference, Reference]]:
-        items = node.items if isinstance(node, (Choice, Sequence, AnyOrder)) else ()
-        if isinstance(node, Sequence):
-            for left, right in pairwise(items):
-                one, other = free(left), free(right)
-                if one is not None and other is not None:
-                    yield one, other
-        for item in (*items, *((node.item,) if isinstance(node, Optional) else ())):
-            yield from pairs(item)
-
     for written in draft.written:
-        for one, other in pairs(written.node):
+        for one, other in ((free(left), free(right)) for left, right in _neighbouring(written.node)):
+            if one is None or other is None:
+                continue
             message = f"nobody can tell where {one.label!r} ends and {other.label!r} begins: both are free text"
             yield written.problem(message, "put a word between them, or make a choice of one", other.column)
+
+
+def _units_said_twice(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Units behind amounts that are said with their unit: "wait {time} seconds" is "wait five seconds seconds"."""
+    known = units(grammar.language)
+    for written in draft.written if known is not None else ():
+        for left, right in _neighbouring(written.node):
+            slot = grammar.slots.get(left.name) if isinstance(left, Reference) else None
+            if slot is None or slot.unit is not None or not isinstance(left, Reference) or known is None:
+                continue
+            unit = _unit_at(known, slot.type, _beginning(right))
+            if len(" ".join(unit)) > LONGEST_SIGN:
+                message = f"{' '.join(unit)!r} would have to be said twice: {left.label!r} is said with its unit"
+                usual = known.names.get(unit, " ".join(unit))
+                hint = f"leave it out; or let {slot.name!r} have unit: {usual}, for numbers without one"
+                yield written.problem(message, hint, left.column)
+
+
+def _unit_at(known: Units, kind: str, words: tuple[str, ...]) -> tuple[str, ...]:
+    """The words of a unit with which others begin, as many as there are; none where they begin with no unit."""
+    names = known.by_kind.get(kind, {})
+    way = known.by_kind.get({"speed": "distance", "angular_speed": "angle"}.get(kind, ""), {})
+    if words[:1] in way and words[2:3] in known.by_kind["duration"] and words[1] in known.words.get("per", ()):
+        return words[:3]
+    return next((words[:end] for end in range(len(words), 0, -1) if words[:end] in names), ())
+
+
+def _beginning(node: Node) -> tuple[str, ...]:
+    """The words with which a template begins, of alternatives with the first."""
+    match node:
+        case Word(text):
+            return (text,)
+        case Choice(items) if items:
+            return _beginning(items[0])
+        case Sequence(items):
+            words = itertools.takewhile(lambda item: isinstance(item, Word), items)
+            return tuple(word.text for word in words if isinstance(word, Word))
+    return ()
+
+
+def _neighbouring(node: Node) -> Iterator[tuple[Node, Node]]:
+    """Parts of a template that stand one behind the other."""
+    items = node.items if isinstance(node, (Choice, Sequence, AnyOrder)) else ()
+    if isinstance(node, Sequence):
+        yield from pairwise(items)
+    for item in (*items, *((node.item,) if isinstance(node, Optional) else ())):
+        yield from _neighbouring(item)

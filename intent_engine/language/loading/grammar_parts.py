@@ -10,6 +10,7 @@ from typing import Any, Literal
 from intent_engine.errors import Problem
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Place, problem_at
+from intent_engine.language.loading.value_hints import number_in_text
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
@@ -188,10 +189,10 @@ class PartReader:
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
         if value is None:
-            hint = "write a number"
+            hint = number_in_text(raw) or "write a number"
             if kind in UNITS:
                 usual = self.unit_key(str(raw))
-                hint = f"write a number in SI units, or one with its unit ({UNITS[kind]})"
+                hint = f"{hint} in SI units, or one with its unit ({UNITS[kind]})"
                 hint = f"write it with the unit {usual}, in English whatever is spoken" if usual else hint
             article = "an" if kind[0] in "aeiou" else "a"
             self.source.problem(path, f"{raw!r} is not {article} {kind.replace('_', ' ')}", hint, key=key)

@@ -31,7 +31,7 @@ def lost_words(node: Any, lines: Sequence[str]) -> tuple[str, str] | None:
         return f"YAML takes {node.tag} for a tag, and leaves it out", quoted
     if written.startswith("&") and not _has_alias(written.split()[0][1:], lines):
         return f"YAML takes {written.split()[0]} for the name of an anchor, and leaves it out", quoted
-    if node.tag.endswith(":str") and (number := re.match(r"\s+(#\d+)\s*$", line[end.column :])) is not None:
+    if node.tag.endswith(":str") and (number := re.match(r"\s+(#(?:\d+|\{\w+\}))\s*$", line[end.column :])) is not None:
         hint = f'quote it: "{written} {number[1]}"; or put a blank behind the # of a comment'
         return f"YAML takes {number[1]} for a comment, and leaves it out", hint
     if written[:1] in tuple(_QUOTES) and (written[-1] not in _CLOSING or _TEMPLATE.intersection(written)):

@@ -274,6 +274,8 @@ def _missing_hint(key: str, path: tuple[Any, ...], instance: dict[Any, Any]) -> 
         return "- {slots: {name: value}, defaults: {name: value}}"
     if key == "tests":
         return 'tests: ["go left": {direction: left}, "go up": rejected]'
+    if key == "name" and not path:
+        return "what the robot is called: name: my_robot"
     if key == "say":
         return '- {say: "sentence", slots: {name: value}}'
     if key == "action":

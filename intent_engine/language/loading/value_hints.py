@@ -8,7 +8,7 @@ from typing import Any
 
 from intent_engine.language.normalize import words_of
 
-__all__ = ["YAML_BOOLEANS", "in_si", "plainer", "pose_otherwise", "values_otherwise"]
+__all__ = ["YAML_BOOLEANS", "in_si", "number_in_text", "plainer", "pose_otherwise", "values_otherwise"]
 
 YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 """Words that YAML reads as true and false."""
@@ -49,13 +49,22 @@ def plainer(path: tuple[Any, ...], wanted: list[str], instance: Any) -> str | No
     return None
 
 
+def number_in_text(raw: Any) -> str | None:
+    """What to write for a number that is text to YAML: in quotes, or in another form, as 1e3; None: it is something
+    else."""
+    if not isinstance(raw, str) or re.fullmatch(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?", raw) is None:
+        return None
+    number = f"{float(raw):.15g}"
+    return f"write {number} without quotes" if raw == number else f"YAML reads this as a word: write {number}"
+
+
 def in_si(text: str, *, share: bool) -> str:
     """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708. ``share``: it is a part of
     one."""
     from intent_engine.language.quantities import evaluate
 
-    if (number := re.fullmatch(r"[-+]?\d+(?:\.\d*)?[eE][-+]?\d{1,2}", text)) is not None:
-        return f"YAML reads this as a word: write {float(number[0]):.15g}"
+    if (number := number_in_text(text)) is not None:
+        return number
     words = words_of(text)
     if share:
         part = evaluate(words, "percent", "en")

@@ -17,6 +17,7 @@ from intent_engine.language.loading.json_mistakes import json_problem
 from intent_engine.language.loading.lost_words import lost_words
 from intent_engine.language.loading.spoilt_lines import (
     after_a_quote,
+    merge_conflict,
     section_of_ini,
     spoilt_before,
     typographic_quote,
@@ -219,6 +220,8 @@ def _character_problem(text: str, source: YamlSource) -> Problem:
 def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     """What the YAML parser says, at a line that there is, with what people usually did wrong there."""
     mark, opened = error.problem_mark or error.context_mark, error.context_mark
+    if (conflict := merge_conflict(source.lines)) is not None:
+        return Problem(conflict[1], source.file, conflict[0] + 1, 1, source.lines[conflict[0]], conflict[2])
     hint: str | None = None
     if error.context == "while scanning a quoted scalar" and opened is not None:
         message = "is not valid YAML: a quote that is opened here is never closed"
@@ -249,7 +252,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
     elif "unknown escape" in what:
         hint = "write it in single quotes: between double ones YAML reads \\ as the beginning of a sign"
-    elif (quoted := after_a_quote(shown, column) or typographic_quote(shown)) is not None:
+    elif (quoted := after_a_quote(source.lines, line, column) or typographic_quote(shown)) is not None:
         hint = quoted
     elif re.match(r"\s*-\t", shown):
         message, hint = "a tab stands behind this '-'", "write a space there"

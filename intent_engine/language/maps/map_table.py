@@ -115,7 +115,19 @@ def _row(given: dict[str, str], line: int, problem: Callable[..., Problem], line
 
     def tell(key: str, message: str, hint: str | None) -> Problem:
         shown = lines[line - 1] if line <= len(lines) else ""
-        cell = given.get(key, "").split(";")[0]
-        return problem(message, line, max(shown.find(cell), 0) + 1 if cell else 1, hint)
+        return problem(message, line, _column(shown, given, key), hint)
 
     return Row(given.get("name", ""), values, tell)
+
+
+def _column(shown: str, given: dict[str, str], key: str) -> int:
+    """The column, from 1, at which a cell begins in its line; 1 where it has none. The cells before it are passed one
+    by one, since it may be in their words: the "a" of "bar,a,2"."""
+    at = 0
+    for column, cell in given.items():
+        first = cell.split(";")[0]
+        found = shown.find(first, at)
+        if column == key:
+            return max(found, 0) + 1 if first else 1
+        at = max(found, at) + len(cell)
+    return 1

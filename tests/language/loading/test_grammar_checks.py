@@ -57,7 +57,7 @@ FINE = {
         "intents:\n  x: {action: custom, sentences: ['a {size} one']}\n"
     ),
     "a constant for a custom action": (
-        "intents:\n  x: {action: {type: custom, name: wave, times: 3}, defaults: {who: all}, sentences: [wave]}\n"
+        "intents:\n  x: {action: {type: custom, name: wave, times: 3}, sentences: [wave]}\n"
     ),
     "a direction from the sign of a distance": (
         "slots: {distance: distance}\nintents:\n  x: {action: move, sentences: ['by {distance}']}\n"
@@ -97,6 +97,15 @@ FINE = {
     "bars that part all of a sentence": (
         "slots: {who: text}\nintents:\n  x: {action: custom, sentences: ['bow|take a bow', 'hug {who}|kiss {who}']}\n"
     ),
+    "constants of an action, and defaults of slots": (
+        "slots: {rate: number}\nintents:\n  x: {action: custom, sentences: ['spin [at {rate}]'],\n"
+        "    defaults: {rate: 4, mode: wet}}\n"
+        "  y: {action: {type: custom, turns: '{rate}'}, sentences: ['turn [at {rate}]'], defaults: {rate: 4}}\n"
+    ),
+    "units of numbers, and words that are signs of units": (
+        "slots: {n: number, t: {type: angle, unit: deg}, far: distance, time: duration}\nintents:\n"
+        "  x: {action: custom, sentences: ['tip {t} degrees', 'heat to {n} degrees', 'go {far} in {time}']}\n"
+    ),
     "a stroke between units": "intents:\n  x: {action: custom, sentences: ['spin at {#} rpm/s', 'mix 1/2 cup']}\n",
     "signs that a regex can do without": "intents:\n  x: {action: custom, regex: 'hop,? now[!.]?'}\n",
     "signs of numbers": "intents:\n  x: {action: custom, regex: 'add (-?\\d+|\\d+/\\d+|\\d+\\.5|2\\.5) cups'}\n",
@@ -125,6 +134,25 @@ DOUBTFUL = {
     ),
     "slots: {a: text,\n b: text}\nintents:\n  x:\n    action: custom\n    lark: |\n      start: a B\n      a: \"up\"\n"
     "      B: \" x\"\n": (2, "slot 'b' is used by no sentence"),
+    "slots: {rate: number}\nintents:\n  x: {action: custom, sentences: ['spin [at {rate}]'],\n"
+    "    defaults: {ratee: 4}}\n": (4, "a default for 'ratee', which no sentence has"),
+    "slots: {rate: number}\nintents:\n  x: {action: custom, sentences: ['spin [at {rate}]'],\n"
+    "    when: [{slots: {rate: 4}, defaults: {rates: 5}}]}\n": (4, "a default for 'rates', which no sentence has"),
+    "slots: {rate: number}\nintents:\n  x: {action: {type: custom, turns: '{rate}'}, sentences: ['spin [at {rate}]'],\n"
+    "    defaults: {mode: wet}}\n": (4, "a default for 'mode', which the action does not take"),
+    "slots: {t: duration}\nintents:\n  x: {action: custom, sentences: ['wait for {t} seconds']}\n": (
+        3, "'seconds' would have to be said twice: 't' is said with its unit",
+    ),
+    "slots: {t: percent}\nintents:\n  x: {action: custom, sentences: ['dim [to {t:level} %]']}\n": (
+        3, "'percent' would have to be said twice: 'level' is said with its unit",
+    ),
+    "slots: {t: angle}\nphrases: {p: '{t} (degrees|degree) up'}\n"
+    "intents:\n  x: {action: custom, sentences: ['tip {p}']}\n": (
+        2, "'degrees' would have to be said twice: 't' is said with its unit",
+    ),
+    "slots: {t: speed}\nintents:\n  x: {action: custom, sentences: ['roll at {t} m/s']}\n": (
+        3, "'m per s' would have to be said twice: 't' is said with its unit",
+    ),
     "intents:\n  x: {action: custom, sentences: [go,\n    go]}\n": (3, "the same sentence stands already at line 2"),
     "intents:\n  x: {action: custom, sentences: ['never go']}\n": (
         2, "this sentence says 'never', and yet the robot will act on it",

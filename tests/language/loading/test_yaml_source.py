@@ -126,6 +126,7 @@ def test_tags_of_other_programs_do_nothing():
         ("- !hop up", "YAML takes !hop for a tag, and leaves it out", 'quote it: "!hop up"'),
         ("- &hop up", "YAML takes &hop for the name of an anchor, and leaves it out", 'quote it: "&hop up"'),
         ("- go to bay #5\n- go", "YAML takes #5 for a comment, and leaves it out", 'quote it: "go to bay #5"'),
+        ("- go to #{place}", "YAML takes #{place} for a comment, and leaves it out", 'quote it: "go to #{place}"'),
         ("a: [\u201cgo, back\u201d, on]", "\u201c is no quote for YAML", "write straight quotes"),
         ("- \u201e[please] go\u201c", "\u201e is no quote for YAML", "write straight quotes"),
     ],

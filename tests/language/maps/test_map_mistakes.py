@@ -139,6 +139,11 @@ CSV_MISTAKES = {
     "open quote": ('name,x,y\nhall,1,2\n"lab,1,2\n', ["3:1 is not valid CSV"]),
     "empty": ("", ["is empty"]),
     "empty name": ("name,x,y\n,1,2\n", ["2:1 the name '' has no word"]),
+    "letters that stand in the name as well": (
+        "name,x,y,yaw\nbar,a,b,c\n",
+        ["2:5 x of 'bar' must", "2:7 y of 'bar' must", "2:9 yaw of 'bar' must"],
+    ),
+    "a cell behind aliases": ('name,aliases,x,y\nhall,"a 1; foyer",1,a\n', ["2:21 y of 'hall' must"]),
     "several": ("name,x,y\nhall,1,2\n# a note\n\nhall,1,3\nlab,a,b\n", ["5:1 place 'hall' stands twice", "6:", "6:"]),
 }
 
