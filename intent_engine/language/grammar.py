@@ -179,8 +179,10 @@ class Slot:
         return None
 
     def counted(self, value: float) -> float:
-        """A quantity as programs get it: where it counts something an ``int``, for ``range(value)``."""
-        return int(value) if self.whole and float(value).is_integer() else value
+        """A quantity as programs get it: where it counts something an ``int``, for ``range(value)``, and an ordinal, for
+        ``items[value - 1]``."""
+        counts = self.whole or self.type == "ordinal"
+        return int(value) if counts and float(value).is_integer() else value
 
     def written(self, value: float) -> str:
         """A quantity for people to read, with its unit: "1.2 m", "90°", "40 %"."""
