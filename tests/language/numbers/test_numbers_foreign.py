@@ -30,6 +30,8 @@ SAID = {
         ("minus drei", "number", -3),
         ("2,5", "number", 2.5),
         ("anderthalb", "number", 1.5),
+        ("einem", "number", 1),
+        ("einer", "number", 1),
         ("ein einhalb Meter", "distance", 1.5),
         ("ein ein viertel", "number", 1.25),
         ("negativ sieben", "number", -7),

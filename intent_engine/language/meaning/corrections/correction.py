@@ -155,8 +155,8 @@ class Corrections:
 
     def _number_alone(self, said: Utterance, piece: Utterance, state: Collection[str]) -> Utterance | None:
         """A command with a number corrected that is said without its noun, be it with what stands before that, and with
-        what goes on behind it: "put ten boxes, no, twelve on the shelf", "poda la hilera 14, no, la 15". None: it is
-        none, or free words would be among it."""
+        what goes on behind it: "put ten boxes, no, twelve on the shelf", "poda la hilera 14, no, la 15"; or without its
+        unit, with what leads it: "for two hours, no, for three". None: it is none, or free words would be among it."""
         is_number = self._matcher.is_number
         start = next((at for at, word in enumerate(piece.words) if is_number(word)), len(piece))
         end = next((at for at in range(start, len(piece)) if not is_number(piece.words[at])), len(piece))
@@ -170,7 +170,8 @@ class Corrections:
             return None
         both = enumerate(zip(base.words, number.words, strict=False))
         noun = next((at for at, (old, new) in both if old != new), 0) - 1
-        if noun >= len(said) - 1 or (start and piece.words[:start] != base.words[max(noun - start, 0) : max(noun, 0)]):
+        led = (base.words[max(end - start, 0) : max(end, 0)] for end in (noun, noun + 1))  # or "by ten", "by twenty"
+        if noun >= len(said) - 1 or (start and piece.words[:start] not in led):
             return None  # "ten boxes to the cellar, no, the 15"
         told = number if base is whole else number.with_other(len(number), len(number), more)
         clause = self._commands.exact(told.words, state)

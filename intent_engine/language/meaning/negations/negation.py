@@ -360,6 +360,8 @@ class Negations:
         if length > 1 and self._commands.moves(said.words, state) and self._commands.moves(other.words, state):
             return said  # "go forward instead of turning left"; "turn left not right" names no other command
         excluded = self._corrections.instead(said, other, state)
+        if excluded is None and len(other) > 1 and other.words[0] in self._articles:  # "die Tomaten statt der Gurken"
+            excluded = self._corrections.instead(said, other.part(1, len(other)), state)
         if excluded is None:
             return None
         one, two = (self._commands.exact(some.words, state) for some in (said, excluded))
