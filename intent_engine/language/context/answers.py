@@ -303,6 +303,8 @@ def with_name(text: str, said: Sequence[str], name: str) -> str:
         for start in range(len(pieces))
         for end in range(start + 1, min(len(pieces), start + len(said) + 1) + 1)
         if Utterance.of(" ".join(pieces[start:end])).words == list(said)
+        and Utterance.of(pieces[start]).words
+        and Utterance.of(pieces[end - 1]).words  # "ferme-la !"
     ]
     if len(places) != 1:
         return ""

@@ -17,12 +17,14 @@ from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told, names_any, only, readings_of
+from intent_engine.language.meaning.wordings.asked_in_turn import asked_in_turn
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.by_number import ByNumber
 from intent_engine.language.meaning.wordings.for_whom_asked import ForWhomAsked
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.given_to import GivenTo
 from intent_engine.language.meaning.wordings.how_often import HowOften
+from intent_engine.language.meaning.wordings.infinitive_alone import infinitive_alone
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.named_again import NamedAgain
@@ -48,7 +50,6 @@ from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.owners import owners
-from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unit_symbols import UnitSymbols
 
 __all__ = ["WrittenOtherwise"]
@@ -134,7 +135,7 @@ class WrittenOtherwise:
         written = written or self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
-            written = written or self._corrected_before_its_verb(text, core, state)
+            written = written or self._several_before_its_verb(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
@@ -185,32 +186,24 @@ class WrittenOtherwise:
         return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
 
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Den Ball aufheben": "kannst du den Ball aufheben" without what asks for it. The verb is one that would be
-        parted, were it told of somebody, and a question asks whether."""
-        grammar = self._matcher.grammar
-        first, last = core.words[0], core.words[-1]
-        begun = any(last.startswith(begin) and len(last) > len(begin) + 3 for begin in grammar.wording.parted)
-        if not begun or not last.endswith("n") or "?" in text or first not in thing_words(grammar.language).done_to:
-            return None
-        for asking in (words for words in grammar.fillers if len(words) == 2 and words[0] in grammar.wording.requests):
-            breaks = [False] * len(asking) + [*core.breaks]
-            clause = self._commands.exact([*asking, *core.words], state, breaks=breaks)
-            if clause is not None and clause.accepted:
-                return as_told(text, clause)
-        return None
+        """ "Den Ball aufheben" is told; a question asks whether."""
+        clause = infinitive_alone(core, self._commands, state) if "?" not in text else None
+        return as_told(text, clause) if clause is not None else None
 
-    def _corrected_before_its_verb(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has "stell den Kopf auf {angle}"."""
-        if "?" in text or self._phrases.correction.find(core.words[:-1], 1) is None:
+    def _several_before_its_verb(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Die Pumpe und die Heizung ausschalten", "den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has
+        "schalte die {device} aus" and "stell den Kopf auf {angle}"."""
+        corrects = self._phrases.correction.find(core.words[:-1], 1) is not None
+        if "?" in text or not (corrects or self._phrases.sequence.may_stand_in(core.words)):
             return None
-        ways = self._verb_last.corrected(core, self._commands.verbs)
+        ways = self._verb_last.of_several(core, self._commands.verbs)
         found = ((way, self._understood_as(text, core, way.said, state)) for way in ways)
         return only(one for way, one in found if one is not None and all(map(way.is_meant, readings_of(one))))
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
         das Licht an". What asks are fillers of several words; a question without a verb that requests asks whether."""
-        grammar = self._matcher.grammar
+        grammar, verbs = self._matcher.grammar, self._commands.verbs
         said = self._said(text)
         if not grammar.wording.parted and 0 < (wish := self._wishing.at(core.words, 0)) < len(core):
             if "?" in text:
@@ -233,7 +226,12 @@ class WrittenOtherwise:
             told = self._told(text, said, part, state)
             if told is not None:
                 return told
-        return None
+        if not self._phrases.sequence.may_stand_in(core.words):
+            return None
+        several = asked_in_turn(core, self._phrases, lambda one: self._told(text, said, one, state))
+        listed = (one for way in self._wished.ways(said, core) for one in self._verb_last.of_several(way, verbs))
+        orders = (several, *(one.said for one in listed))
+        return next(filter(None, (self._understood_as(text, core, one, state) for one in orders)), None)
 
     def _begs(self, said: Utterance) -> bool:
         """Whether a word anywhere makes an order of it that is a filler by itself: "die Pumpe *bitte* ausschalten"."""
@@ -311,8 +309,9 @@ class WrittenOtherwise:
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
         verbs = self._commands.verbs
-        ways = (*self._taken_up.ways(core, verbs), *self._taken_up.again(core, verbs))
-        return only(self._understood_as(text, core, way, state) for way in ways)
+        things = (*([way] for way in self._taken_up.ways(core, verbs)), *self._taken_up.again(core, verbs))
+        means = ((self._understood_as(text, core, way, state) for way in ways) for ways in things)
+        return only(next(filter(None, ways), None) for ways in means)
 
     def _done_to_itself(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Dreh nach links" of a grammar that has "dreh dich nach links", and no free words for "dich"."""
@@ -322,7 +321,9 @@ class WrittenOtherwise:
 
     def _of_listed_things(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "The lamp is off, turn it on" and "fold the towels for the kids", of things that a grammar knows."""
-        ways = (self._behind.for_others(core), self._reasons.of_what_is_meant(core, self._commands.verbs))
+        verbs = self._commands.verbs
+        first = self._taken_up.ways(self._reasons.named_first(core, verbs), verbs)
+        ways = (self._behind.for_others(core), self._reasons.of_what_is_meant(core, verbs), *first)
         found = next(filter(None, (self._understood_as(text, core, way, state) for way in ways)), None)
         return None if any(reading.free_words for reading in readings_of(found)) else found
 
@@ -351,9 +352,11 @@ class WrittenOtherwise:
         """What the commands of an earlier utterance named for which the pronoun of a text may stand. "Drop it" may only
         take back what was said."""
         core = self._phrases.without_fillers(self._said(text))
-        if not self._commands.may_have_a_verb(core.words) or self._phrases.cancel.cover(core.words):
+        if self._phrases.cancel.cover(core.words):
             return []
-        return self._pointing.before(text, core, before, understood)
+        has_a_verb = self._commands.may_have_a_verb(core.words)
+        named = self._pointing.before(text, core, before, understood) if has_a_verb else []
+        return named or self._taken_up.before(text, core, before, self._commands.verbs)
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterator, Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.told import Understood, only
-from intent_engine.language.numbers.units import units
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.of_words import of_words
 from intent_engine.language.words.phrase_set import PhraseSet
-from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["NounsBeforeOf"]
 
@@ -27,9 +26,7 @@ class NounsBeforeOf:
     """
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
-        table, contracted = units(grammar.language), thing_words(grammar.language).contracted
-        own = {*(table.words.get("of", ()) if table is not None else ())}
-        self._of = own.union(one for one, (of, _) in contracted.items() if of in own)
+        self._of = of_words(grammar.language)
         self._stands_for = grammar.wording.stands_for_noun
         self._sequence = sequence
 

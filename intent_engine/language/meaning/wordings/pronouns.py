@@ -180,7 +180,9 @@ class NamesListed:
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
         known, several = thing_words(grammar.language), grammar.wording.several
-        self._pronouns = PhraseSet(grammar.operators.pronoun)
+        # Where one that is an article is written with its verb, it is read with that.
+        none = known.articles if grammar.wording.for_whom_before else frozenset[str]()
+        self._pronouns = PhraseSet(words for words in grammar.operators.pronoun if none.isdisjoint(words))
         self._no_pronouns = known.articles
         self._no_noun_begins = known.joining | known.binding
         self._several = several
@@ -200,7 +202,7 @@ class NamesListed:
             core: what was said.
             as_said: what an utterance means that takes its place; None: it is no command.
         """
-        found = self._find(core.words)
+        found = self._find(core)
         ends = range(found[0] - 1, 0, -1) if found is not None else ()
         wholes = (core.part(0, end) for end in ends if core.breaks[end] or self._sequence.at(core.words, end))
         _, before = next(filter(None, map(as_said, wholes)), (None, ()))
@@ -232,8 +234,8 @@ class NamesListed:
             before: gives the earlier commands.
             free_words: gives the words that are free in a text.
         """
-        found = self._find(core.words)
-        if found is None or self._find(core.words, sum(found)) is not None:
+        found = self._find(core)
+        if found is None or self._find(core, sum(found)) is not None:
             return []
         pronoun = core.words[found[0] : sum(found)]
         said: list[NameSaid] = []
@@ -313,20 +315,22 @@ class NamesListed:
             name = words[noun : slot.end]
             yield NameSaid([(*article, *name) for article in self._articles_of(name, [])], is_meant=True)
 
-    def _find(self, words: Sequence[str], at: int = 0) -> tuple[int, int] | None:
+    def _find(self, said: Utterance, at: int = 0) -> tuple[int, int] | None:
         """Where the next pronoun stands, and how many words it has. One that is an article too ("that", "das") is one
-        before no noun: "put that in the bin"."""
+        before no noun: "put that in the bin". Behind a pause its noun is still to come: "nein, das"."""
+        words = said.words
         while (found := self._pronouns.find(words, at)) is not None:
             begin, count = found
             end = begin + count
-            if self._no_pronouns.isdisjoint(words[begin:end]) or self._no_noun_begins.issuperset(words[end : end + 1]):
+            bare = self._no_noun_begins.issuperset(words[end : end + 1]) and not said.breaks[begin]
+            if bare or self._no_pronouns.isdisjoint(words[begin:end]):
                 return found
             at = end
         return None
 
     def _with_name(self, core: Utterance, name: Sequence[str]) -> Utterance:
         said, place = core, 0
-        while (found := self._find(said.words, place)) is not None:
+        while (found := self._find(said, place)) is not None:
             at, length = found
             said = said.with_other(at, at + length, Utterance.in_one_breath(name))
             place = at + len(name)

@@ -55,6 +55,7 @@ class Reasons:
         self._articles = known.articles
         pronouns = (words for words in grammar.operators.pronoun if self._articles.isdisjoint(words))
         self._pronouns = PhraseSet(() if wording.taken_up else pronouns)
+        self._taken_up = wording.taken_up
         self._several = wording.several
         self._for_a_thing = {words[0] for words in grammar.operators.pronoun if len(words) == 1} - self._articles
         self._phrases = phrases
@@ -107,6 +108,21 @@ class Reasons:
         if any(word in command.words and any(opposed(word, self._language)) for word in told[how:]):
             return None  # "the door is open, open it"
         return command.with_other(start, start + length, Utterance.in_one_breath(thing))
+
+    def named_first(self, core: Utterance, verbs: Collection[str]) -> Utterance:
+        """An utterance in which only the thing stands before the command that a reason is told of: "die Orchideen,
+        gieß sie" of "die Orchideen sind trocken, gieß sie"; none, if there is no such reason."""
+        at = next((at for at in range(1, len(core)) if core.breaks[at]), 0)
+        told, command = core.words[:at], core.part(at, len(core))
+        begin = self._thinks.at(told, 0)
+        how = self._behind_a_thing(told, begin, verbs) if at else 0
+        rest = told[how:]
+        if not how or told[begin] not in self._taken_up or self._turns(told) or not self._waits.isdisjoint(told):
+            return core.part(0, 0)
+        if (rest and not self._tells_no_more(rest, verbs)) or self._names_another(rest, command.words):
+            return core.part(0, 0)
+        thing = told[begin : how - 1]
+        return Utterance([*thing, *command.words], [*[False] * len(thing), *command.breaks])
 
     def tells_of_a_name(self, core: Utterance, verbs: Collection[str]) -> bool:
         """Whether it begins with a reason that names something, for which a later pronoun may stand as well: "the

@@ -1,14 +1,19 @@
 """A thing that is said first and taken up with the verb: "la palette, descends-*la*", "la pala portá*mela*", "die Tür,
-öffne *sie*"; or by a later verb: "ouvre la porte et ferme-*la*"."""
+öffne *sie*"; or by a later verb: "ouvre la porte et ferme-*la*", or "ferme-*la*" after "ouvre la porte"."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
+from intent_engine.language.context.answers import with_name
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.pronouns import NameSaid
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.of_words import of_words
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.verb_forms import without_stress
 
@@ -37,7 +42,8 @@ class TakenUp:
         self._alone = pronouns if wording.joined else pronouns & thing_words(grammar.language).articles
         self._contracted = {one: to for one, (_, to) in thing_words(grammar.language).contracted.items()}
         self._sequence = phrases.sequence
-        self._leads = wording.leads
+        self._leads, self._of = wording.leads, of_words(grammar.language)
+        self._language = grammar.language
         self._formal = formal
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
@@ -62,9 +68,10 @@ class TakenUp:
                         breaks = [core.breaks[0], *[False] * at, *core.breaks[end:]]
                         yield Utterance(told, breaks)
 
-    def again(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
+    def again(self, core: Utterance, verbs: Collection[str]) -> Iterator[list[Utterance]]:
         """Several orders with the thing of an earlier one in the place of the pronoun that is with the verb of a later
-        one: "abre la puerta y ciérra*la*" is "abre la puerta y cierra la puerta".
+        one: "abre la puerta y ciérra*la*" is "abre la puerta y cierra la puerta". The ways of each thing are together:
+        the first that is a command counts.
 
         Args:
             core: what was said, without its fillers.
@@ -79,9 +86,37 @@ class TakenUp:
                 continue
             verb, pronoun, end = self._verb(core, at, verbs)
             if pronoun in self._alone and self._ends(core, end) and not any(core.breaks[at + 1 : end]):
-                for thing in self._things(words[: at - joint], pronoun):
-                    yield core.with_other(at, end, Utterance.in_one_breath([verb, *thing]))
+                for things in self._things(words[: at - joint], pronoun):
+                    yield [core.with_other(at, end, Utterance.in_one_breath([verb, *thing])) for thing in things]
                 return
+
+    def before(
+        self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]], verbs: Collection[str]
+    ) -> list[NameSaid]:
+        """What the commands of an earlier utterance named for which the pronoun with the verb of a text may stand:
+        "ferme-la", after "ouvre la porte"; its ways are texts.
+
+        An article at the end may be one whose name was not said any more ("ferme la"), if it is not written with the
+        verb.
+
+        Args:
+            text: what was said.
+            core: its words, without those that say nothing.
+            before: gives the earlier commands.
+            verbs: words with which a command may begin.
+        """
+        verb, pronoun, end = self._verb(core, 0, verbs) if self._pronouns and core.words else ("", "", 0)
+        written = f"{verb}-{pronoun}"
+        apart = not self._is_joined and end == len(core) and written not in text.lower()
+        if pronoun not in self._alone or apart or any(core.breaks[1:end]) or not self._ends(core, end):
+            return []
+        readings = (clause.reading.words for clause in before() if clause.reading is not None)
+        names = (things for words in readings for things in self._things(words, pronoun))
+        said = core.words[:end]
+        return [
+            NameSaid([with_name(text, said, " ".join((verb, *thing))).split() for thing in things], is_meant=True)
+            for things in names
+        ]
 
     def _ends(self, core: Utterance, end: int) -> bool:
         """Whether a word that may be an article is none, since no name follows: "ferme la", "pose la sur le quai"."""
@@ -89,13 +124,24 @@ class TakenUp:
             return True
         return self._sequence.at(core.words, end) > 0
 
-    def _things(self, words: Sequence[str], pronoun: str) -> Iterator[list[str]]:
-        """What may be things for which a pronoun stands, each with its article."""
+    def _things(self, words: Sequence[str], pronoun: str) -> Iterator[list[list[str]]]:
+        """What may be things for which a pronoun stands, each with its article; of each the longest first, and none
+        with more behind it than whose it is, or its number: "la pompe du bassin 2", but not "la pompe à midi"."""
         for start, word in enumerate(words):
             article = self._contracted.get(word, word)
             if start and pronoun in self._pronouns.get(article, ()):
-                for stop in range(start + 2, min(start + _MOST, len(words)) + 1):
-                    yield [article, *words[start + 1 : stop]]
+                last = min(start + _MOST, len(words))
+                last = next((at for at in range(start + 2, last) if self._says_how(words, at)), last)
+                yield [[article, *words[start + 1 : stop]] for stop in range(last, start + 1, -1)]
+
+    def _says_how(self, words: Sequence[str], at: int) -> bool:
+        """Whether no name goes on with a word: one with which is told where, how or how much ("la caisse *de* deux
+        mètres"), or a number that counts what follows it ("la caisse *deux* mètres")."""
+        word, after = words[at], words[at + 1 : at + 2]
+        counts = bool(after) and is_number(after[0], self._language)
+        if word in self._leads:
+            return word not in self._of or counts
+        return is_number(word, self._language) and not counts and bool(after) and after[0] not in self._leads
 
     def _verb(self, core: Utterance, at: int, verbs: Collection[str]) -> tuple[str, str, int]:
         """The verb at a place, the pronoun with it, and where it ends; no pronoun: it is none."""

@@ -69,9 +69,9 @@ class VerbLast:
         ways = (evaluate(["2", words[-1]], kind, language) for kind in QUANTITY_KINDS)
         return is_number(words[-1], language) or any(way is not None for way in ways)
 
-    def corrected(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
-        """One order in which something is corrected before its verb, with that first and its pauses: "den Kopf auf 20,
-        nein, auf 30 Grad stellen".
+    def of_several(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """One order of several things, or in which something is corrected before its verb, with that first and its
+        pauses: "die Pumpe und die Heizung ausschalten", "den Kopf auf 20, nein, auf 30 Grad stellen".
 
         Args:
             core: what was said, without its fillers.
@@ -85,11 +85,11 @@ class VerbLast:
             behind = order.words[front + len(before) :]
             if order.words[0] in verbs and order.words[front : front + len(before)] == before:
                 breaks = [core.breaks[0], *[False] * front, *core.breaks[1:-1], *[False] * len(behind)]
-                means = partial(self._tells_corrected, front, len(behind), last)
+                means = partial(self._tells_each, front, len(behind), last)
                 yield Rewording(Utterance(order.words, breaks), means)
 
-    def _tells_corrected(self, front: int, behind: int, last: str, order: Reading) -> bool:
-        """Whether an order, as it was corrected, would be one by itself with its verb last."""
+    def _tells_each(self, front: int, behind: int, last: str, order: Reading) -> bool:
+        """Whether an order, as it was corrected, or of one of the things, would be one by itself with its verb last."""
         words = order.words[front : len(order.words) - behind]
         return bool(words) and self._tells_by_itself(Utterance.in_one_breath([*words, last]), order)
 
