@@ -75,7 +75,7 @@ class OtherWords:
         self._particles = Particles(commands, phrases)
         self._placed_first = PlacedFirst(grammar, phrases)
         self._verbs_last = bool(grammar.wording.parted)
-        self._verb_last = VerbLast(grammar, own)
+        self._verb_last = VerbLast(commands.matcher)
         self._verbless = Verbless(grammar, own)
         self._said_first = SaidFirst(grammar, phrases)
         self._named_first = NamedFirst(grammar)
@@ -123,7 +123,7 @@ class OtherWords:
                 return found
         if asks:
             return self._one_of([*wished[0], *wished[1]], part, state)
-        last = list(self._verb_last.ways(part, verbs, self._begins))
+        last = list(self._verb_last.ways(part, verbs))
         for ordered in [last] if last else wished:
             found = self._one_of(ordered, part, state) or self._one_of(self._ways(ordered, placed=True), part, state)
             if found is not None:
@@ -170,9 +170,6 @@ class OtherWords:
         """Whether one of two opposite words was left out: "lift the tray up down" says neither."""
         left_out = {*said.words} - {*reading.words}
         return any(not left_out.isdisjoint(opposed(word, self._language)) for word in reading.words)
-
-    def _begins(self, words: list[str]) -> bool:
-        return self._commands.matcher.prefix(words)[1] is not None
 
     def _placed(self, part: Utterance) -> Iterator[Rewording]:
         verbs = self._commands.verbs

@@ -48,8 +48,8 @@ from intent_engine.language.meaning.wordings.wished_forms import WishedForms
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.owners import owners
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.unit_symbols import UnitSymbols
 
 __all__ = ["WrittenOtherwise"]
@@ -87,7 +87,7 @@ class WrittenOtherwise:
         self._asking = Formal(phrases, commands, wording.asking)
         self._itself = Itself(self._matcher)
         self._verb_again = VerbAgain(self._matcher.grammar, phrases)
-        self._verb_last = VerbLast(self._matcher.grammar, vocabulary(self._matcher.grammar))
+        self._verb_last = VerbLast(self._matcher)
         self._verb_second = VerbSecond(self._matcher.grammar, self._asking, self._formal)
         self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
         forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
@@ -135,7 +135,7 @@ class WrittenOtherwise:
         written = written or self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
-            written = written or self._several_before_its_verb(text, core, state)
+            written = written or self._verb_behind(text, core, state, self._phrases.correction)
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
@@ -149,7 +149,8 @@ class WrittenOtherwise:
         rules = (self._of_listed_things, self._done_to_itself, self._with_its_verb_again, self._without_ways_on)
         for rule in (*rules, self._counted_otherwise, self._for_each, self._named_again):
             written = written or rule(text, core, state)
-        return written or self._understood_as(text, core, self._other_words.told(core, state, asks="?" in text), state)
+        told = written or self._understood_as(text, core, self._other_words.told(core, state, asks="?" in text), state)
+        return told or self._verb_behind(text, core, state, self._phrases.sequence)
 
     def or_asked(self, text: str, core: Utterance, state: Collection[str], asks: Clause) -> Understood:
         """What is asked back, unless that is only what the verb of a command is, and another form of one of the verbs
@@ -190,13 +191,10 @@ class WrittenOtherwise:
         clause = infinitive_alone(core, self._commands, state) if "?" not in text else None
         return as_told(text, clause) if clause is not None else None
 
-    def _several_before_its_verb(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Die Pumpe und die Heizung ausschalten", "den Kopf auf 20, nein, auf 30 Grad stellen" of a grammar that has
-        "schalte die {device} aus" and "stell den Kopf auf {angle}"."""
-        corrects = self._phrases.correction.find(core.words[:-1], 1) is not None
-        if "?" in text or not (corrects or self._phrases.sequence.may_stand_in(core.words)):
-            return None
-        ways = self._verb_last.of_several(core, self._commands.verbs)
+    def _verb_behind(self, text: str, core: Utterance, state: Collection[str], joint: PhraseSet) -> Understood | None:
+        """ "Die Pumpe und die Heizung ausschalten", "den Kopf auf 20, nein, auf 30 Grad stellen"."""
+        joined = "?" not in text and joint.find(core.words[:-1], 1) is not None
+        ways = self._verb_last.of_several(core, self._commands.verbs) if joined else ()
         found = ((way, self._understood_as(text, core, way.said, state)) for way in ways)
         return only(one for way, one in found if one is not None and all(map(way.is_meant, readings_of(one))))
 

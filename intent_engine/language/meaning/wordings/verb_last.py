@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence, Set
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 
-from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.command import LEAST_WORDS
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.wordings.rewording import Rewording
@@ -13,6 +14,7 @@ from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["VerbLast"]
@@ -25,23 +27,23 @@ class VerbLast:
     """Reads such orders as a grammar has them, the verb first.
 
     Args:
-        grammar: whose they are.
-        own: the words that it is written in.
+        matcher: of the grammar whose they are.
     """
 
-    def __init__(self, grammar: Grammar, own: Set[str]) -> None:
-        self._grammar = grammar
+    def __init__(self, matcher: Matcher) -> None:
+        self._grammar = grammar = matcher.grammar
+        self._prefix = matcher.prefix
         self._known = thing_words(grammar.language)
-        self._words = own
-        self._articles = [Utterance.in_one_breath([word]) for word in sorted(self._known.definite_of_things & own)]
+        self._words = vocabulary(grammar)
+        articles = sorted(self._known.definite_of_things & self._words)
+        self._articles = [Utterance.in_one_breath([word]) for word in articles]
 
-    def ways(self, part: Utterance, verbs: Collection[str], begins: Callable[[list[str]], bool]) -> Iterator[Rewording]:
+    def ways(self, part: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
         """One order with its verb first, and with an article where it has none.
 
         Args:
             part: the words of the order.
             verbs: with which commands begin.
-            begins: whether a command begins with some words.
         """
         if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
             return  # "weiterfahren" says nothing of what, or where to
@@ -49,7 +51,7 @@ class VerbLast:
         for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
             for order in last_verb_first(said, self._grammar):
                 itself = order.words[1] in self._grammar.wording.before_verbs and order.words[1] not in said.words[:1]
-                if order.words[0] in verbs and (not itself or begins(order.words[:2])):
+                if order.words[0] in verbs and (not itself or self._prefix(order.words[:2])[1] is not None):
                     yield Rewording(order, partial(self._tells_by_itself, part))
 
     def in_order(self, asked: Utterance) -> Iterator[Utterance]:
@@ -83,7 +85,8 @@ class VerbLast:
         for order in last_verb_first(core, self._grammar):
             front = 1 + (order.words[1 : len(core)] != before)
             behind = order.words[front + len(before) :]
-            if order.words[0] in verbs and order.words[front : front + len(before)] == before:
+            told = order.words[front : front + len(before)] == before
+            if order.words[0] in verbs and told and self._prefix(order.words[: front + 1])[1] is not None:
                 breaks = [core.breaks[0], *[False] * front, *core.breaks[1:-1], *[False] * len(behind)]
                 means = partial(self._tells_each, front, len(behind), last)
                 yield Rewording(Utterance(order.words, breaks), means)
