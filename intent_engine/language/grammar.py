@@ -179,8 +179,8 @@ class Slot:
         return None
 
     def counted(self, value: float) -> float:
-        """A quantity as programs get it: where it counts something an ``int``, for ``range(value)``, and an ordinal, for
-        ``items[value - 1]``."""
+        """A quantity as programs get it: where it counts something, and an ordinal, an ``int``, for ``range(value)``
+        and ``items[value - 1]``."""
         counts = self.whole or self.type == "ordinal"
         return int(value) if counts and float(value).is_integer() else value
 

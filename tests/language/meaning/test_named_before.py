@@ -101,7 +101,6 @@ def test_of_one_or_of_two_names_nobody_knows_what_they_are(engine_of, language: 
         "photograph it and fly to tank 2",
         "hover and photograph it",
         "fly to tank 1, then fly to tank 2 and photograph it",
-        "fly to tank 2 and photograph this",
         "fly to tank 2 and photograph them",
         "fly to tank 2 and don't photograph it",
         "fly to tank 2 and photograph it if it is open",

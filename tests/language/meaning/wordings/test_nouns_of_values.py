@@ -48,6 +48,7 @@ intents:
             "grab the big dark blue ball, then place the big dark blue ball on the tray",
         ),
         ("en", "grab the green cube and weigh it", "grab the green cube and weigh the cube"),
+        ("en", "grab the green cube and weigh this", "grab the green cube and weigh the cube"),
         ("en", "grab the green cube and then the red one", "grab the green cube and then grab the red cube"),
         ("en", "grab the red ball, then grab the dark blue one", "grab the red ball, then grab the dark blue ball"),
         (
