@@ -17,6 +17,7 @@ __all__ = [
     "FREE_KINDS",
     "LONGEST_WAIT",
     "MOTIONS",
+    "NEVER_NEGATIVE",
     "QUANTITY_KINDS",
     "SLOT_TYPES",
     "TELLING_APART",
@@ -48,9 +49,9 @@ _WRITTEN: Mapping[str, tuple[float, str]] = {
     "percent": (100.0, " %"),
 }
 """How people write a value in SI units: what it is multiplied by, and the unit."""
-_NEVER_NEGATIVE = frozenset(("duration", "percent"))
+NEVER_NEGATIVE = frozenset(("duration", "percent"))
 """Quantities of which there is none less than none, but where a file says so."""
-_POINTING = _WRITTEN.keys() - _NEVER_NEGATIVE
+_POINTING = _WRITTEN.keys() - NEVER_NEGATIVE
 """Quantities that have a size and point one of two ways."""
 
 SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
@@ -155,7 +156,7 @@ class Slot:
         nobody drives twenty meters back by "forward minus twenty meters"; and no time or share is less than none."""
         if self.minimum is not None:
             return self.minimum
-        if self.type in _NEVER_NEGATIVE:
+        if self.type in NEVER_NEGATIVE:
             return 0.0
         return -self.maximum if self.maximum is not None and self.maximum > 0 and self.type in _POINTING else None
 
@@ -170,7 +171,7 @@ class Slot:
         if self.whole and not float(value).is_integer():
             return "whole", "no whole number"
         if self.smallest is not None and value < self.smallest:
-            key = "min" if self.maximum is None or self.minimum is not None or self.type in _NEVER_NEGATIVE else "max"
+            key = "min" if self.maximum is None or self.minimum is not None or self.type in NEVER_NEGATIVE else "max"
             return key, f"less than the smallest, {self.written(self.smallest)}"
         if self.least is not None and abs(value) < self.least:
             return "least", f"less than the smallest, {self.written(self.least)}"

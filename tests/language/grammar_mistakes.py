@@ -191,7 +191,6 @@ MISTAKES: dict[str, str | bytes] = {
     "a smallest size of nothing": slot("{type: angle, min: -90 deg, max: 90 deg, least: 0 deg}"),
     "a smallest size larger than max": slot("{type: angle, min: -90 deg, max: 90 deg, least: 2 rad}"),
     "a fixed value below the smallest size": move("defaults: {speed: 0.5}").replace("max: 1 m/s", "least: 1 m/s"),
-    "a max below zero, which bounds a size": slot("{type: distance, max: -5 m}"),
     "a max below zero of what is never less": slot("{type: duration, max: -5 s}"),
     "a number in quotes": slot('{type: duration, max: "90"}'),
     "a number that YAML takes for a word": slot("{type: duration, max: 1e3}"),

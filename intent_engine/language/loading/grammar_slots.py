@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Slot
+from intent_engine.language.grammar import NEVER_NEGATIVE, QUANTITY_KINDS, SLOT_TYPES, Slot
 from intent_engine.language.loading.grammar_parts import UNITS, PartReader
 from intent_engine.language.loading.language_words import default_booleans
 from intent_engine.language.loading.other_words import TYPES, meant
@@ -138,10 +138,9 @@ class _SlotReader:
             source.problem((*path, "max"), message, f"write {part * 100:g} %, or '{part:g} %' if you mean it")
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
-        if low is None and high is not None and high < 0 and kind != "number":
-            what = kind.replace("_", " ")
-            message = f"no {what} fits a max of {spec['max']!r}: without a min it bounds the size, whichever its sign"
-            source.problem((*path, "max"), message, "write it without a sign; or give a min that is smaller")
+        if low is None and high is not None and high < 0 and kind in NEVER_NEGATIVE:
+            message = f"no {kind} fits a max of {spec['max']!r}: none is less than zero"
+            source.problem((*path, "max"), message, "write it without a sign")
         if least is not None and (least <= 0 or (high is not None and least > high and (low is None or -least < low))):
             source.problem((*path, "least"), f"{spec['least']!r} is no smallest size", "more than 0, and less than max")
         return low, high, least, most
