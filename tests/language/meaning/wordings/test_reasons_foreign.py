@@ -114,6 +114,12 @@ def test_the_command_is_the_same(engine_of, language: str, said: str, meant: str
         ("de", "schalte die Lampe ein, wenn es dunkel ist"),
         ("de", "es ist nicht dunkel, schalte die Lampe ein"),
         ("de", "weil es dunkel ist"),
+        # What is written somewhere is no reason.
+        ("de", "in der Anleitung steht: schalte die Lampe ein"),
+        ("de", "da steht geschrieben: schalte die Lampe ein"),
+        ("fr", "c'est écrit : ferme la porte"),
+        ("es", "está escrito: cierra la puerta"),
+        ("it", "sul foglio c'è scritto: chiudi la porta"),
         ("fr", "il dit va à la chambre"),
         ("fr", "allume la lampe quand il fait nuit"),
         ("fr", "ce n'est pas sombre, allume la lampe"),
