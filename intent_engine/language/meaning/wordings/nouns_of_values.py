@@ -7,10 +7,14 @@ from collections.abc import Callable, Iterator
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.told import Understood, told_before
+from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["NounsOfValues"]
+
+MAX_SPELLINGS = 64
+"""Ways of saying one value that are looked at."""
 
 
 class NounsOfValues:
@@ -25,10 +29,11 @@ class NounsOfValues:
         self._standing_for = grammar.wording.standing_for
         self._sequence = sequence
         self._lists: dict[str, set[str]] = {}
-        """The lists of which a value ends in a word."""
+        """The lists of which a value, as it is said, ends in a word."""
         for slot in grammar.slots.values():
-            for value, _ in slot.values if slot.type == "choice" else ():
-                self._lists.setdefault(str(value).lower().split()[-1], set()).add(slot.name)
+            for _, node in slot.values if slot.type == "choice" else ():
+                for said in filter(None, spellings(node, grammar.phrases, MAX_SPELLINGS)):
+                    self._lists.setdefault(said[-1], set()).add(slot.name)
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with that noun; None: there is none, or more than one.

@@ -64,6 +64,21 @@ def test_it_and_one_are_what_was_named(engine_of, language: str, said: str, mean
     assert_same(engine_of(GRAMMARS[language]), said, meant)
 
 
+def test_a_value_is_told_as_it_is_said(engine_of) -> None:
+    grammar = """
+language: en
+slots:
+  colour: {type: choice, values: {"": [plain], "#f00": [red, scarlet]}}
+  shape: [cube, ball]
+intents: {grab: {action: custom, sentences: ["grab the [{colour}] {shape}"]}}
+"""
+    found = engine_of(grammar).parse("grab the plain cube and then the scarlet one")
+    assert [action.slots for action in found.actions] == [
+        {"colour": "", "shape": "cube"},
+        {"colour": "#f00", "shape": "cube"},
+    ]
+
+
 def test_so_it_is_in_the_next_utterance(engine_of) -> None:
     engine: IntentEngine = engine_of(GRAMMARS["en"])
     before = engine.parse("grab the green cube", last=())
