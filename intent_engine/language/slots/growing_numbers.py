@@ -59,7 +59,8 @@ class GrowingNumbers:
             longer = [*words, word]
             found = self._read(slot, label, longer, begin, len(longer))
             # "Eight quarters" are two, which nobody says in two pieces.
-            if not found.problem and found.value > value:
+            larger = not isinstance(found.value, int | float) or abs(found.value) > abs(value)
+            if not found.problem and larger:
                 return True
             # What is no number yet may be one with the next word; what is beyond the limits only becomes more so.
             unread = found.status == "unknown"

@@ -15,12 +15,14 @@ slots:
   table: {type: number, min: 1, max: 40, whole: true}
   room: {type: number, min: 100, max: 499, whole: true}
   level: {type: number, min: 0, max: 10}
+  floor: {type: number, min: -30, max: 30, whole: true}
   turns: {type: number, min: 1, max: 99, whole: true}
 intents:
   clear: {action: custom, sentences: ["clear table {table}"]}
   clean: {action: custom, sentences: ["clean room {room}"]}
   dim: {action: custom, sentences: ["dim to {level}"]}
   heat: {action: custom, sentences: ["heat table {table} [to {level}]"]}
+  ride: {action: custom, sentences: ["ride to {floor}"]}
   wind: {action: custom, sentences: ["wind it {turns} [times]"]}
 """
 TISCHE = """
@@ -52,6 +54,8 @@ def tables(engine_of) -> IntentEngine:
         ("clean room two fourteen", True),
         ("clean room two hundred thirty one", True),
         ("clean room 118", True),
+        ("ride to minus twenty", False),
+        ("ride to minus twelve", True),
         ("dim to eight", False),  # "eight point five"
         ("heat table fourteen", False),
         ("wind it twelve", False),  # what word follows may make another sentence of it
