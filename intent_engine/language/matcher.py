@@ -163,8 +163,7 @@ class Matcher:
         while (short := self._without_filler(words)) is not None:
             words = short
         rest = self.ahead(words) - {Continuation.NOTHING}
-        last = words[-1] if words else ""
-        if rest and (last in NUMBER_WORDS or self.is_number(last)):
+        if rest and words and self._of_a_number(words[-1]):
             # "One hundred" may go on to "and twenty".
             return rest == {Continuation.MORE} and not self._may_grow(words)
         return rest <= {Continuation.MORE, Continuation.MANNER}
@@ -187,7 +186,11 @@ class Matcher:
         following = self.begun.next_words(reached) if reached is not None else ()
         table = units(self.grammar.language)
         joining = table.words["and"] if table is not None else ()
-        return [word for word in following if word in joining or word in NUMBER_WORDS or self.is_number(word)]
+        return [word for word in following if word in joining or self._of_a_number(word)]
+
+    def _of_a_number(self, word: str) -> bool:
+        """Whether a word may be one of a number: of the language, or English."""
+        return word in NUMBER_WORDS or self.is_number(word)
 
     def tells_manner(self, words: Sequence[str]) -> bool:
         """Whether a speed may follow a whole command."""

@@ -12,8 +12,8 @@ from intent_engine.language.numbers.ordinals_spelled import ordinal_otherwise
 from intent_engine.language.numbers.units import units
 
 __all__ = [
-    "figures_apart",
     "figures_otherwise",
+    "first_figure_apart",
     "in_digits",
     "in_words",
     "number_end",
@@ -133,9 +133,10 @@ def number_otherwise(words: Sequence[str]) -> tuple[int, tuple[tuple[str, ...], 
     return end, tuple(way for way in ways if way != own)
 
 
-def figures_apart(text: str, language: str | None = "en") -> str:
-    """A text with its English numbers of three figures apart as they may have been said: "4 60" for "460", which is
-    what recognisers write for "four sixty" too, and for the "pour sixty" of a grammar, or "for sixty"."""
+def first_figure_apart(text: str, language: str | None = "en") -> str:
+    """A text with the first of three figures of an English number by itself, as it may have been said: "4 60" for
+    "460", which is what recognisers write for "four sixty" too, and for the "pour sixty" of a grammar, or "for sixty".
+    """
     return _THREE_FIGURES.sub(r"\1 \2", text) if language in (None, "en") else text
 
 

@@ -95,6 +95,11 @@ class KnownGrammar:
             least=min([SURE_ENOUGH, *(one for one in asked if one is not None)]),
         )
 
+    @property
+    def letters(self) -> frozenset[str]:
+        """Single letters in its sentences, lists and names, those of codes among them: "b" of "B3"."""
+        return frozenset(word for word in self.own | self.in_slots if len(word) == 1 and word.isalpha())
+
     def besides(self, words: Sequence[str], meaning: Interpretation) -> frozenset[str]:
         """Words that a sentence may have besides those of the grammar, since it is put in a certain way."""
         found = frozenset[str]()

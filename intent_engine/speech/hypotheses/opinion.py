@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from intent_engine.actions import Action
 from intent_engine.language.networks.approximate import FreeWord
-from intent_engine.language.numbers.spelled import figures_apart
+from intent_engine.language.numbers.spelled import first_figure_apart
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.hypotheses.evidence import Evidence, View, letters_apart
@@ -75,7 +75,7 @@ class Opinion:
     @property
     def _hearings(self) -> list[list[str]]:
         free, language = self.transcript.free_text, self.transcript.language
-        texts = dict.fromkeys((free, figures_apart(free, language)))
+        texts = dict.fromkeys((free, first_figure_apart(free, language)))
         return [self.model.grammar.words(text, language) for text in texts]
 
     def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:

@@ -146,6 +146,10 @@ class SpokenGrammar:
         """Words that people put anywhere: "that", "by", "over"."""
         return self._known(language).small
 
+    def letters(self, language: str | None = None) -> frozenset[str]:
+        """As :attr:`KnownGrammar.letters`."""
+        return self._known(language).letters
+
     def like(
         self, heard: tuple[str, ...], language: str | None = None, *, wider: bool = False
     ) -> list[tuple[str, ...]]:

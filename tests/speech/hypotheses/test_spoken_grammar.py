@@ -456,3 +456,25 @@ def test_sentences_that_are_put_otherwise_are_near(engine_of, heard, said):
     assert tuple(said.split()) in grammar.near(heard.split())
     assert grammar.put_otherwise(said.split())
     assert not grammar.put_otherwise(["open", "the", "door", "and", "turn", "on", "the", "lamp"])
+
+
+CODES = """
+language: en
+slots:
+  place: location
+  bay: [B5, C12]
+  time: duration
+intents:
+  go: {action: {type: navigate, location: "{place}"}, sentences: ["go to {place}"]}
+  scan: {action: custom, sentences: ["scan bay {bay} [for {time}]"]}
+"""
+
+
+def test_letters_are_those_of_codes_and_not_of_units(tmp_path):
+    """ "4 s" are four seconds, of which nobody asks whether they were a bay."""
+    (tmp_path / "codes.yaml").write_text(CODES)
+    (tmp_path / "map.yaml").write_text("frame: map\nlocations: {gate h7: {x: 1, y: 2}}\n")
+    engine = IntentEngine.from_files(tmp_path / "codes.yaml", locations=tmp_path / "map.yaml")
+    letters = SpokenGrammar(engine).letters("en")
+    assert letters >= {"b", "c", "h"}
+    assert letters.isdisjoint("sm")

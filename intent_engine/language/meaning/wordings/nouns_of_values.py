@@ -1,15 +1,17 @@
-"""One of several things that is told by a value before it, behind one that was named: "grab the green cube and then the
-red *one*"."""
+"""One of several things that is told by a value before it, or by its place alone, behind one that was named: "grab the
+green cube and then the red *one*", "close the first valve and open the *second*"."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.told import Understood, told_before
+from intent_engine.language.meaning.told import Understood, readings_of, told_before
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["NounsOfValues"]
 
@@ -18,7 +20,7 @@ MAX_SPELLINGS = 64
 
 
 class NounsOfValues:
-    """Puts in the noun that stood behind another value of the same list in the command before.
+    """Puts in the noun that stood behind another value of the same list, or another ordinal, in the command before.
 
     Args:
         grammar: whose sentences have such nouns.
@@ -26,8 +28,11 @@ class NounsOfValues:
     """
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
+        self._language = grammar.language
+        self._articles = thing_words(grammar.language).articles
         self._standing_for = grammar.wording.standing_for
         self._sequence = sequence
+        self._ordinals = {slot.name for slot in grammar.slots.values() if slot.type == "ordinal"}
         self._lists: dict[str, set[str]] = {}
         """The lists of which a value, as it is said, ends in a word."""
         for slot in grammar.slots.values():
@@ -42,20 +47,35 @@ class NounsOfValues:
             core: what was said.
             as_said: what an utterance means that takes its place; None: it is no command.
         """
-        words = core.words
-        places = (at for at in range(2, len(words)) if words[at] in self._standing_for and words[at - 1] in self._lists)
-        place = next(places, 0)
-        before = told_before(core, place, self._sequence, as_said) if place else None
-        nouns = set(_nouns(before, self._lists[words[place - 1]])) if before is not None else set()
+        start, end, slots = next(self._places(core), (0, 0, ()))
+        before = told_before(core, start - 1, self._sequence, as_said) if start else None
+        nouns = set(_nouns(before, slots))
         if len(nouns) != 1:
             return None
-        return as_said(core.with_other(place, place + 1, Utterance.in_one_breath(nouns.pop())))
+        return as_said(core.with_other(start, end, Utterance.in_one_breath(nouns.pop())))
+
+    def _places(self, core: Utterance) -> Iterator[tuple[int, int, Collection[str]]]:
+        """Where a word stands for the noun behind a value, or an ordinal with its article ends it all: where the noun
+        goes, and the slots of such values."""
+        words = core.words
+        for at in range(1, len(words)):
+            last = at + 1 == len(words)
+            stands = not last and words[at + 1] in self._standing_for
+            if stands and words[at] in self._lists:
+                yield at + 1, at + 2, self._lists[words[at]]
+            elif (
+                (stands or last) and self._ordinals and words[at - 1] in self._articles and self._is_ordinal(words[at])
+            ):
+                yield at + 1, at + 1 + stands, self._ordinals
+
+    def _is_ordinal(self, word: str) -> bool:
+        return evaluate([word], "ordinal", self._language) is not None
 
 
-def _nouns(before: Understood, lists: set[str]) -> Iterator[tuple[str, ...]]:
-    """What stands straight behind the values of some lists in commands: another value, or a word of the sentence."""
-    for reading in (part.reading for part in before[1] if part.reading is not None):
+def _nouns(before: Understood | None, slots: Collection[str]) -> Iterator[tuple[str, ...]]:
+    """What stands straight behind the values of some slots in commands: another value, or a word of the sentence."""
+    for reading in readings_of(before):
         ends = {slot.start: slot.end for slot in reading.slots if slot.start < slot.end}
         for slot in reading.slots:
-            if slot.slot.name in lists and slot.end < len(reading.words):
+            if slot.slot.name in slots and slot.end < len(reading.words):
                 yield tuple(reading.words[slot.end : ends.get(slot.end, slot.end + 1)])
