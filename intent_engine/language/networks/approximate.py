@@ -227,7 +227,13 @@ class UtteranceSearch:
         return found
 
     def nearest(
-        self, heard: Sequence[str], most: int = 12, weighty: Collection[str] = (), *, wider: bool = False
+        self,
+        heard: Sequence[str],
+        most: int = 12,
+        weighty: Collection[str] = (),
+        *,
+        wider: bool = False,
+        begin: Sequence[str] = (),
     ) -> list[tuple[tuple[str, ...], float]]:
         """Whole utterances nearest to the words heard. One thread at a time: of two models that ask at once, neither
         is answered sooner by searching beside the other.
@@ -237,21 +243,27 @@ class UtteranceSearch:
             most: how many to give.
             weighty: words that are hardly noise: "when", "not".
             wider: whether it is looked again, and wider, where nothing near is found.
+            begin: words with which the utterances begin, and which cost nothing; what was heard follows them.
 
         Returns:
             (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
         """
         with self._alone:
-            found = self._nearest(heard[:MAX_HEARD], most, weighty, WIDTH)
+            found = self._nearest(heard[:MAX_HEARD], most, weighty, WIDTH, begin)
             near = found and found[0][1] <= NEAR * sum(map(len, heard))
             if near or not wider or len(heard) > WIDER_WORDS:
                 return found
-            return self._nearest(heard, most, weighty, WIDER)
+            return self._nearest(heard, most, weighty, WIDER, begin)
 
     def _nearest(
-        self, heard: Sequence[str], most: int, weighty: Collection[str], width: int
+        self, heard: Sequence[str], most: int, weighty: Collection[str], width: int, begin: Sequence[str]
     ) -> list[tuple[tuple[str, ...], float]]:
         graph = self.graph
+        first = graph.start()
+        for word in begin:
+            first = graph.step(first, word)
+            if first is None:
+                return []
         count = len(heard)
         said_anywhere = set(heard)
         spans = {
@@ -266,7 +278,7 @@ class UtteranceSearch:
         self._likeness.hear(spans.values())
         # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
         pending: list[list[_Onward]] = [[] for _ in range(count + 1)]
-        states: _States = {graph.start(): [(0.0, ())]}
+        states: _States = {first: [(0.0, tuple(begin))]}
         for place in range(count + 1):
             if place:
                 states = {}

@@ -8,14 +8,15 @@ before it, and sentences of the grammar that are like that, and begin so too, sa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Protocol
 
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
-__all__ = ["as_meant", "corrected_like", "no_between"]
+__all__ = ["Near", "as_meant", "corrected_like", "no_between"]
 
 FIRST = 2
 """Commands at most that the words before the "no" are taken for,"""
@@ -28,6 +29,12 @@ BROKEN_OFF = 3
 line"."""
 MOST = 8
 """Sentences at most in all."""
+
+
+class Near(Protocol):
+    """Sentences of a grammar that begin in a certain way, and go on like some words, the likest first."""
+
+    def __call__(self, words: tuple[str, ...], begin: tuple[str, ...], /) -> Sequence[tuple[str, ...]]: ...
 
 
 def as_meant(heard: Sequence[str], corrections: PhraseSet, alikes: Mapping[str, Sequence[str]]) -> list[str]:
@@ -63,15 +70,13 @@ def _second_number(words: Sequence[str]) -> int:
     return next((at for at, first, second in halves if first is not None and second is not None), 0)
 
 
-def corrected_like(
-    heard: Sequence[str], corrections: PhraseSet, near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]]
-) -> list[tuple[str, ...]]:
+def corrected_like(heard: Sequence[str], corrections: PhraseSet, near: Near) -> list[tuple[str, ...]]:
     """Commands with a correction that are like the words heard, the likest first; not all of them are understood.
 
     Args:
         heard: the words, corrections :func:`as_meant`.
         corrections: phrases that take back what was said.
-        near: sentences of the grammar that are like some words, the likest first.
+        near: looks for the sentences of the grammar.
     """
     first = corrections.find(heard, 1)
     if first is None or sum(first) >= len(heard):
@@ -79,7 +84,7 @@ def corrected_like(
     at, length = first
     before, correction, after = tuple(heard[:at]), tuple(heard[at : at + length]), tuple(heard[at + length :])
     letters = sum(map(len, before))
-    commands = [one for one in near(before)[:FIRST] if letters_apart(one, before) <= UNLIKE * letters]
+    commands = [one for one in near(before, ())[:FIRST] if letters_apart(one, before) <= UNLIKE * letters]
     whole = [(command, instead) for command in commands for instead in _in_place(command, after, near)]
     meant = list(dict.fromkeys(instead for _, instead in whole))
     said = (*_broken_off(before, after, meant, near), *whole)
@@ -88,30 +93,24 @@ def corrected_like(
 
 
 def _broken_off(
-    before: tuple[str, ...],
-    after: tuple[str, ...],
-    meant: Sequence[tuple[str, ...]],
-    near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]],
+    before: tuple[str, ...], after: tuple[str, ...], meant: Sequence[tuple[str, ...]], near: Near
 ) -> Iterator[tuple[tuple[str, ...], tuple[str, ...]]]:
     """What may have been broken off, and said after the correction, as it was heard or was ``meant``: two sentences
     that end alike, as "thirty" and "forty microliters"."""
     for count in range(1, min(BROKEN_OFF, len(after) - 1) + 1):
         end = after[count:]
-        for sentence in near((*before, *end))[:FIRST]:
+        for sentence in near((*before, *end), ())[:FIRST]:
             begun, its_end = sentence[: -len(end)], sentence[-len(end) :]
             if begun and letters_apart(its_end, end) <= UNLIKE * sum(map(len, end)):
                 yield begun, (*after[:count], *its_end)
                 yield from ((begun, one) for one in meant if len(one) > len(end) and one[-len(end) :] == its_end)
 
 
-def _in_place(
-    command: tuple[str, ...], after: tuple[str, ...], near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]]
-) -> Iterator[tuple[str, ...]]:
+def _in_place(command: tuple[str, ...], after: tuple[str, ...], near: Near) -> Iterator[tuple[str, ...]]:
     """What may have been said after the correction: as it was heard, and what would go on from a beginning of the
     command."""
     yield after
     for kept in range(len(command)):
-        begin = command[:kept]
-        for sentence in near((*begin, *after))[:EACH]:
-            if sentence[:kept] == begin and len(sentence) > kept:
+        for sentence in near(after, command[:kept])[:EACH]:
+            if len(sentence) > kept:
                 yield sentence[kept:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -25,6 +25,14 @@ if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher
 
 __all__ = ["KnownGrammar"]
+
+CANDIDATES = 8
+"""Utterances of the grammar, like the words heard, that are looked up."""
+SEARCHES = 64
+"""Searches whose results are kept."""
+MEANINGS = 512
+"""Texts whose meaning is kept, before all are forgotten: of one utterance a hundred sentences may be asked about, most
+of them three times."""
 
 
 @dataclass(slots=True)
@@ -62,8 +70,12 @@ class KnownGrammar:
     usual: UsualNumbers
     least: float
     """Confidence from which anything is acted on."""
-    found: dict[tuple[tuple[str, ...], bool], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
-    """Of some words, looked for wider or not, the sentences that are like them."""
+    found: dict[tuple[tuple[str, ...], bool, tuple[str, ...]], list[tuple[tuple[str, ...], float]]] = field(
+        default_factory=dict
+    )
+    """Of some words, looked for wider or not, the sentences that are like them, with a beginning or any."""
+    meanings: dict[str, Interpretation] = field(default_factory=dict)
+    """What texts mean that were asked about lately."""
 
     @classmethod
     def of(cls, matcher: Matcher) -> KnownGrammar:
@@ -94,6 +106,28 @@ class KnownGrammar:
             usual=UsualNumbers(grammar),
             least=min([SURE_ENOUGH, *(one for one in asked if one is not None)]),
         )
+
+    def meaning(self, text: str, read: Callable[[], Interpretation]) -> Interpretation:
+        """What a text means, read if it was not asked about lately."""
+        found = self.meanings.get(text)
+        if found is None:
+            if len(self.meanings) >= MEANINGS:
+                self.meanings.clear()
+            found = self.meanings[text] = read()
+        return found
+
+    def nearest(
+        self, heard: tuple[str, ...], *, wider: bool = False, begin: tuple[str, ...] = ()
+    ) -> list[tuple[tuple[str, ...], float]]:
+        """The sentences like some words, as :meth:`UtteranceSearch.nearest` has them; those of one utterance are asked
+        for again and again."""
+        if len(self.found) > SEARCHES:
+            self.found.clear()
+        found = self.found.get((heard, wider, begin))
+        if found is None:
+            found = self.search.nearest(heard, CANDIDATES, self.narrating, wider=wider, begin=begin)
+            self.found[heard, wider, begin] = found
+        return found
 
     @property
     def letters(self) -> frozenset[str]:

@@ -47,12 +47,21 @@ class OtherWordings:
     def heard(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """Sentences like the words heard but for small words, in those that were heard: "haul *that* rock"; and just
         what was heard, where it is one in other words: "I want the lamp turned on"."""
-        beneath = self._grammar.without_small_words(words, language)
-        like = self._grammar.like(beneath, language)[:BENEATH] if len(beneath) < len(words) else []
-        found = [self._in_words(one, words, language) or one for one in like]
+        found = [self._in_words(one, words, language) or one for one in self._beneath(words, language)]
         if self._in_other_words(words, language):
             found.append(tuple(words))
         return list(dict.fromkeys(found))
+
+    def _beneath(self, words: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard without small ones. None where a sentence that is like all of them has each of
+        the small ones in its place: it is looked for anyway."""
+        beneath = self._grammar.without_small_words(words, language)
+        if len(beneath) == len(words):
+            return []
+        nearest = self._grammar.like(tuple(words), language, wider=True)[:1]
+        if nearest and not any(_places(nearest[0], words, self._grammar.small_words(language))):
+            return []
+        return self._grammar.like(beneath, language)[:BENEATH]
 
     def own(self, words: tuple[str, ...], language: str | None = None) -> tuple[str, ...]:
         """The sentence of the grammar that other words mean; the same where they are one, or none is."""
@@ -115,13 +124,16 @@ def in_words_heard(
     if not 0 < len(places) <= MOST_PLACES:
         return ()
     meant = parse(" ".join(sentence)).actions
-    for count in range(len(places), 0, -1):
-        for some in itertools.combinations(places, count):
-            said = _with(sentence, some)
-            meaning = parse(" ".join(said))
-            if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and meaning.actions == meant:
-                return said
-    return ()
+
+    def is_same(some: Sequence[tuple[int, int, tuple[str, ...]]]) -> bool:
+        meaning = parse(" ".join(_with(sentence, some)))
+        return meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and meaning.actions == meant
+
+    if is_same(places):
+        return _with(sentence, places)
+    alone = [place for place in places if is_same([place])] if len(places) > 1 else []
+    together = alone if len(alone) < 2 or is_same(alone) else alone[:1]
+    return _with(sentence, together) if together else ()
 
 
 def in_its_place(

@@ -32,10 +32,6 @@ if TYPE_CHECKING:
 
 __all__ = ["SpokenGrammar"]
 
-CANDIDATES = 8
-"""Utterances of the grammar, like the words heard, that are looked up."""
-SEARCHES = 64
-"""Searches whose results are kept."""
 OPENINGS = 4
 """Beginnings of commands in which something is dictated, that are looked up,"""
 LONGEST_OPENING = 5
@@ -71,7 +67,7 @@ class SpokenGrammar:
 
     def parse(self, text: str, language: str | None = None) -> Interpretation:
         """What a text means, to a robot in whichever state it may be."""
-        return meant_in_some_state(self._engine, text, self._own(language))
+        return self._known(language).meaning(text, lambda: meant_in_some_state(self._engine, text, self._own(language)))
 
     def fits_pattern(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words are, as they are, a command of an intent that has patterns: of some it cannot be told what else
@@ -93,7 +89,7 @@ class SpokenGrammar:
         found: dict[tuple[str, ...], float] = {}
         for count in range(1, min(LONGEST_OPENING, len(heard) - 1) + 1):
             most = max(FAR_LETTERS, FAR * sum(map(len, heard[:count])))
-            for words, apart in self._nearest((*heard[:count], DICTATED), language):
+            for words, apart in self._known(language).nearest((*heard[:count], DICTATED)):
                 apart -= FREE
                 begin = begin_of(words)
                 if begin and apart <= most and self.dictated(" ".join(words), language) == begin:
@@ -151,18 +147,24 @@ class SpokenGrammar:
         return self._known(language).letters
 
     def like(
-        self, heard: tuple[str, ...], language: str | None = None, *, wider: bool = False
+        self,
+        heard: tuple[str, ...],
+        language: str | None = None,
+        *,
+        wider: bool = False,
+        begin: tuple[str, ...] = (),
     ) -> list[tuple[str, ...]]:
-        """Sentences like some words, the likest first."""
-        most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-        return [words for words, apart in self._nearest(heard, language, wider=wider) if apart <= most]
+        """Sentences like some words, the likest first; with a beginning, of those that begin so like what follows."""
+        most = max(FAR_LETTERS, FAR * sum(map(len, (*begin, *heard))))
+        found = self._known(language).nearest(heard, wider=wider, begin=begin)
+        return [words for words, apart in found if apart <= most]
 
     def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         corrections = self.corrections(language)
         meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
         if corrections.find(meant, 1) is None:
             meant = no_between(meant, corrections, language)
-        like = corrected_like(meant, corrections, lambda words: self.like(words, language))
+        like = corrected_like(meant, corrections, lambda words, begin: self.like(words, language, begin=begin))
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(
@@ -310,7 +312,7 @@ class SpokenGrammar:
         if known and not self.unlisted(meaning, language):
             return False
         heard = tuple(words)
-        as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
+        as_heard = next((said for said, _ in self._known(language).nearest(heard) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
     def takes_as_heard(self, words: Sequence[str], language: str | None = None) -> bool:
@@ -379,20 +381,6 @@ class SpokenGrammar:
         if known is None or known.matcher is not matcher:
             known = self._kept[language] = KnownGrammar.of(matcher)
         return known
-
-    def _nearest(
-        self, heard: tuple[str, ...], language: str | None, *, wider: bool = False
-    ) -> list[tuple[tuple[str, ...], float]]:
-        """The sentences like some words, looked for wider or not; those of one utterance are asked for again and
-        again."""
-        known = self._known(language)
-        if len(known.found) > SEARCHES:
-            known.found.clear()
-        found = known.found.get((heard, wider))
-        if found is None:
-            found = known.search.nearest(heard, CANDIDATES, known.narrating, wider=wider)
-            known.found[heard, wider] = found
-        return found
 
     def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""

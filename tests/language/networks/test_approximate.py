@@ -165,3 +165,18 @@ def test_sentences_that_others_crowd_out_are_found_too(engine):
     heard = ["going", "on", "towards", "the", "sitting", "room"]
     (nearest, _), *_ = UtteranceSearch(engine.matcher().likely).nearest(heard, wider=True)
     assert nearest == ("go", *heard[1:])
+
+
+@given(st.sampled_from(SENTENCES), st.integers(0, 4), st.lists(st.sampled_from(HEARD), max_size=4))
+def test_with_a_beginning_all_begin_so_and_what_was_heard_follows_it(engine, sentence, count, heard):
+    search, begin = UtteranceSearch(engine.matcher().likely), sentence.split()[:count]
+    found = search.nearest(heard, begin=begin)
+    assert all(list(words[: len(begin)]) == begin for words, _ in found)
+    if not begin:
+        assert found == search.nearest(heard)
+    rest = sentence.split()[count:]
+    assert not rest or search.nearest(rest, begin=begin)[0] == (tuple(sentence.split()), 0.0)
+
+
+def test_nothing_begins_as_no_utterance_does(engine):
+    assert UtteranceSearch(engine.matcher().likely).nearest(["left"], begin=["degrees", "left"]) == []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from intent_engine.speech.hypotheses.other_wordings import OtherWordings, small_words
+from intent_engine.speech.hypotheses.other_wordings import OtherWordings, in_words_heard, small_words
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 TRUCK = """
@@ -40,6 +40,22 @@ def truck(engine_of) -> OtherWordings:
 )
 def test_a_misheard_command_keeps_the_small_words_heard(truck: OtherWordings, heard: str, said: str) -> None:
     assert tuple(said.split()) in truck.heard(heard.split())
+
+
+def test_of_several_small_words_those_are_put_that_change_nothing(engine_of) -> None:
+    sentence, heard = "haul waste rock to the crusher", "haul some waste rock never to that crusher"
+    small = frozenset({"some", "never", "to", "the", "that"})
+    said = in_words_heard(sentence.split(), heard.split(), small, engine_of(TRUCK).parse)
+    assert " ".join(said) == "haul some waste rock to that crusher"
+
+
+@pytest.mark.parametrize(
+    ("heard", "found"), [("scoot an iron or", []), ("scoot that iron or", [("scoop", "that", "iron", "ore")])]
+)
+def test_small_words_that_a_sentence_has_are_looked_for_with_all_that_was_heard(engine_of, heard, found) -> None:
+    """Else each of its neighbours would be asked about in those words once more, a millisecond for each."""
+    scoops = TRUCK + '  scoop: {action: custom, sentences: ["scoop [(a|an)] {rock}"]}\n'
+    assert OtherWordings(SpokenGrammar(engine_of(scoops))).heard(heard.split()) == found
 
 
 def test_what_it_means_is_what_the_grammar_has(truck: OtherWordings) -> None:

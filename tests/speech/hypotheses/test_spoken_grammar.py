@@ -210,9 +210,12 @@ def test_what_is_known_is_of_the_grammar_that_is_loaded(tmp_path):
     before = grammar.search()
     assert grammar.near(["dance"]) == [("dance",)]
     assert grammar.search() is before, "what was learnt of it is kept"
+    assert grammar.parse("dance").actions
+    assert grammar.parse("dance") is grammar.parse("dance"), "nor is it read again what a sentence means"
     file.write_text("language: en\n" + intent.format("whistle"))
     engine.reload()
     assert grammar.near(["dance"]) == []
+    assert not grammar.parse("dance").actions
     assert grammar.near(["whistle"]) == [("whistle",)]
     assert grammar.search() is not before
 

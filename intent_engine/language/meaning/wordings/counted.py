@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 from intent_engine.language.numbers.units import LONGEST, Units, units
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -15,7 +16,7 @@ def counts_one(article: str, after: str, language: str) -> bool:
     table = units(language)
     if table is None or article not in table.words["one"]:
         return False
-    return after in _parts(table) or (after,) in table.names or is_number(after, language)
+    return after in _parts(language) or (after,) in table.names or is_number(after, language)
 
 
 def amounts(words: Sequence[str], language: str) -> list[range]:
@@ -25,7 +26,7 @@ def amounts(words: Sequence[str], language: str) -> list[range]:
     found: list[range] = []
     at = 0
     while at < len(words):
-        end = _number_end(words, at, language, table)
+        end = _number_end(words, at, language)
         if table is not None and (end > at or _has_a_part(words, at, table)):
             end = _unit_end(words, end, table)
         if end > at:
@@ -39,33 +40,39 @@ def in_an_amount(words: Sequence[str], language: str) -> set[int]:
     return {at for amount in amounts(words, language) for at in amount[1:]}
 
 
-def _number_end(words: Sequence[str], at: int, language: str, table: Units | None) -> int:
+def _number_end(words: Sequence[str], at: int, language: str) -> int:
     """Where the number ends that begins at a place; there, if none does."""
-    end, joins, parts = at, _joining(table), _parts(table)
+    end, joins, parts = at, _joining(language), _parts(language)
     while end < len(words):
         after, next_after, *_ = (*words[end + 1 : end + 3], "", "")
         goes_on = end == at or words[end - 1] in joins or words[end - 1] in parts  # "lift three a meter" has two
-        counted = _counts(words[end], language, table) or (goes_on and counts_one(words[end], after, language))
-        joined = end > at and words[end] in joins
-        one_more = _counts(after, language, table) or counts_one(after, next_after, language)
-        if not (counted or (joined and one_more)):
+        counted = _counts(words[end], language) or (goes_on and counts_one(words[end], after, language))
+        joined = not counted and end > at and words[end] in joins
+        if not (counted or (joined and (_counts(after, language) or counts_one(after, next_after, language)))):
             break
         end += 1
     return end
 
 
-def _counts(word: str, language: str, table: Units | None) -> bool:
+def _counts(word: str, language: str) -> bool:
+    if word in _parts(language):
+        return True
+    table = units(language)
     article = table is not None and word in table.words["one"]  # "ein" is a number, too
-    return word in _parts(table) or (not article and is_number(word, language))
+    return not article and is_number(word, language)
 
 
-def _parts(table: Units | None) -> frozenset[str]:
+@cache
+def _parts(language: str) -> frozenset[str]:
     """Words that count behind an article: "half", "couple"."""
+    table = units(language)
     return table.parts_of_one | table.words.get("two", frozenset()) if table is not None else frozenset()
 
 
-def _joining(table: Units | None) -> frozenset[str]:
+@cache
+def _joining(language: str) -> frozenset[str]:
     """Words within a number: "two *and* a half", "two *point* five"."""
+    table = units(language)
     return table.words["and"] | table.words.get("point", frozenset()) if table is not None else frozenset()
 
 
