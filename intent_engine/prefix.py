@@ -59,11 +59,11 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
     said = matcher.heard(text) if len(text) < LONGEST else Utterance(["\0"], [False])
     words = said.words
     try:
-        count, reached = matcher.begun.walk(words)
-        if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
-            words = otherwise.words
+        for words in _written(matcher, said):
             count, reached = matcher.begun.walk(words)
-        if reached is None and spoken and (as_understood := _as_understood(interpreter, text, words, count)):
+            if reached is not None:
+                break
+        if reached is None and spoken and (as_understood := _as_understood(interpreter, text, said)):
             words = as_understood
             count, reached = matcher.begun.walk(words)
     except ConfigError:  # the grammar is too ambiguous to be walked; parsing the text tells it
@@ -90,23 +90,28 @@ def _next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _as_understood(interpreter: Interpreter, text: str, words: Sequence[str], known: int) -> list[str] | None:
-    """The words of a command with one that only sounds like a word of the grammar as that: "go back four meters", heard
-    as "go back for meters". None: it is no command, or not understood so.
+def _written(matcher: Matcher, said: Utterance) -> Iterator[list[str]]:
+    """The words of a text as a recogniser may write them: as they are, together or apart, and with units for short:
+    "lift it 5 mm" of a grammar that has "millimeters"."""
+    yield said.words
+    otherwise = matcher.spacing.otherwise(said)
+    if otherwise is not None:
+        yield otherwise.words
+    yield from (one.words for one in matcher.unit_symbols.in_full(said))
 
-    Args:
-        interpreter: understands.
-        text: of the command.
-        words: of the text.
-        known: how many of them the grammar could follow; one of those, or the next, is the one in question.
-    """
+
+def _as_understood(interpreter: Interpreter, text: str, said: Utterance) -> list[str] | None:
+    """The words of a command with one that only sounds like a word of the grammar as that: "go back four meters", heard
+    as "go back for meters". None: it is no command, or not understood so."""
     meaning = interpreter.interpret(text, spoken=True)
     if meaning.status is not Status.ACCEPTED:
         return None
-    for said in _otherwise(interpreter.matcher, words, known):
-        _, reached = interpreter.matcher.begun.walk(said)
-        if reached is not None and interpreter.interpret(" ".join(said), spoken=True).actions == meaning.actions:
-            return said
+    matcher = interpreter.matcher
+    for words in _written(matcher, said):
+        for other in _otherwise(matcher, words, matcher.begun.walk(words)[0]):
+            _, reached = matcher.begun.walk(other)
+            if reached is not None and interpreter.interpret(" ".join(other), spoken=True).actions == meaning.actions:
+                return other
     return None
 
 

@@ -30,6 +30,7 @@ from intent_engine.language.words.another import Another
 from intent_engine.language.words.keyboards import Keyboards
 from intent_engine.language.words.spacing import Spacing
 from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.unit_symbols import UnitSymbols
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -116,6 +117,11 @@ class Matcher:
     def spacing(self) -> Spacing:
         """What the grammar writes together and apart."""
         return Spacing(self.grammar)
+
+    @cached_property
+    def unit_symbols(self) -> UnitSymbols:
+        """How units that are words of its sentences are written for short."""
+        return UnitSymbols(self.grammar)
 
     @cached_property
     def keyboards(self) -> Keyboards:

@@ -183,3 +183,47 @@ def test_a_particle_may_stand_in_a_phrase_that_has_phrases(engine_of) -> None:
     assert engine.parse("turn the fan on").actions
     assert engine.prefix("turn the fan").status is PrefixStatus.INCOMPLETE
     assert not engine.parse("turn the green fan").actions
+
+
+ARM = """
+language: en
+slots:
+  far: {type: number, min: 1, max: 300}
+  rate: {type: number, min: 1, max: 50}
+intents:
+  lift: {action: custom, sentences: ["lift the arm {far} millimeters [at {rate} degrees per second]"]}
+  drill: {action: custom, sentences: ["drill a hole of {far} centimeters"]}
+  press: {action: custom, sentences: ["press with {far} newton meters downwards"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "settled"),
+    [
+        ("Drill a hole of 15 cm", PrefixStatus.COMPLETE, True),
+        ("drill a whole of 15 cm", PrefixStatus.COMPLETE, True),  # heard with a word that sounds like another, too
+        ("drill a hole of 15cm", PrefixStatus.COMPLETE, True),
+        ("drill a hole of 15", PrefixStatus.INCOMPLETE, False),
+        ("lift the arm 15 mm", PrefixStatus.EXTENDABLE, False),
+        ("lift the arm 15 mm at 5", PrefixStatus.INCOMPLETE, False),
+        ("lift the arm 15 mm at 5 deg/s", PrefixStatus.COMPLETE, True),
+        ("press with 3 Nm", PrefixStatus.INCOMPLETE, False),
+        ("press with 3 Nm downwards", PrefixStatus.COMPLETE, True),
+        ("drill a hole of 15 mm", PrefixStatus.IMPOSSIBLE, False),
+        ("drill mm", PrefixStatus.IMPOSSIBLE, False),
+    ],
+)
+def test_units_for_short_are_those_of_the_grammar(engine_of, text, status, settled) -> None:
+    found = engine_of(ARM).prefix(text, spoken=True)
+    assert (found.status, found.settled) == (status, settled)
+
+
+def test_units_for_short_in_german(engine_of) -> None:
+    grammar = (
+        'language: de\nslots: {w: number}\nintents: {h: {action: custom, sentences: ["heb den Arm um {w} Meter"]}}\n'
+    )
+    engine = engine_of(grammar)
+    assert [engine.prefix(text).status for text in ("heb den Arm um 2 m", "heb den Arm um 2")] == [
+        PrefixStatus.COMPLETE,
+        PrefixStatus.INCOMPLETE,
+    ]

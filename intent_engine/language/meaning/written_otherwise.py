@@ -50,7 +50,6 @@ from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.owners import owners
 from intent_engine.language.words.phrase_set import PhraseSet
-from intent_engine.language.words.unit_symbols import UnitSymbols
 
 __all__ = ["WrittenOtherwise"]
 
@@ -104,7 +103,6 @@ class WrittenOtherwise:
         often = HowOften(self._matcher.grammar, phrases)
         rules = (*OneOfIt(commands).rules, often.rule, ByNumber(self._matcher.grammar).rule)
         self._numbers = (*NUMBERS, *rules, *GivenTo(commands).rules)
-        self._symbols = UnitSymbols(self._matcher.grammar)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
         self._shared_nouns = SharedNouns(self._matcher, phrases)
@@ -139,7 +137,7 @@ class WrittenOtherwise:
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
-        for other in self._symbols.in_full(core):
+        for other in self._matcher.unit_symbols.in_full(core):
             written = written or self._understood_as(text, core, other, state)
         for otherwise, is_meant in self._numbers:
             if written is None:
