@@ -42,6 +42,8 @@ __all__ = [
     "tidy",
 ]
 
+PART_OF_ONE = 3
+"""Words before a unit among which a part of one may be: "a *quarter* of an hour"."""
 KEPT = 2048
 """Quantities whose values are remembered: people say the same few over and over, and reading one takes as long as all
 else that is done with a plain sentence."""
@@ -61,14 +63,20 @@ def is_ordinal_word(word: str, language: str = "en") -> bool:
 
 def people_rest_after(words: Sequence[str], language: str = "en") -> bool:
     """Whether words end in a quantity that people like to add to, after a rest: a single unit ("an hour", "and a half")
-    and hours ("two hours", "and twenty minutes")."""
+    and hours ("two hours", "and twenty minutes"); unless a part of one is in it ("half a minute", "two and a half
+    hours")."""
     table = units(language)
     found = table.unit_at_end(words) if table is not None else None
     if table is None or found is None:
         return False
     unit, begin = found
-    before = words[begin - 1 : begin]
-    single = table.words.get("one", frozenset()).issuperset(before) or evaluate(before, "number", language) == 1.0
+    if not table.parts_of_one.isdisjoint(words[max(0, begin - PART_OF_ONE) : begin]):
+        return False
+    counts = (evaluate(words[at:begin], "number", language) for at in range(max(0, begin - MAX_WORDS), begin))
+    count = next((one for one in counts if isinstance(one, float)), None)
+    if count is not None and not count.is_integer():  # "2.5 hours"
+        return False
+    single = count == 1.0 or table.words.get("one", frozenset()).issuperset(words[begin - 1 : begin])
     return unit == "h" or (begin > 0 and single)
 
 

@@ -87,6 +87,12 @@ intents:
         ("stay a minute", True),
         ("sleep for an hour and a half", False),
         ("sleep for ten minutes", False),
+        ("sleep for half a minute", False),
+        ("sleep for a quarter of an hour", False),
+        ("sleep for two and a half hours", False),
+        ("sleep for 2.5 hours", False),
+        ("sleep for twenty one hours", True),
+        ("sleep for twenty one minutes", False),
         ("sleep for an hour and twenty minutes", False),
         ("sleep for an hour at half speed", False),
         ("sleep for", False),
@@ -95,6 +101,26 @@ intents:
 )
 def test_people_rest_after_an_hour_and_go_on_with_a_half(engine_of, text: str, resting: bool) -> None:
     assert engine_of(TIMER).prefix(text).resting is resting
+
+
+SLEEP = """
+language: de
+slots: {dauer: duration}
+intents: {schlaf: {action: custom, sentences: ["schlaf {dauer}"]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "resting"),
+    [
+        ("schlaf eine Stunde", True),
+        ("schlaf eine halbe Stunde", False),
+        ("schlaf anderthalb Stunden", False),
+        ("schlaf 2,5 Stunden", False),
+    ],
+)
+def test_people_rest_after_an_hour_in_german(engine_of, text: str, resting: bool) -> None:
+    assert engine_of(SLEEP).prefix(text).resting is resting
 
 
 GRAMMAR = """
