@@ -7,6 +7,8 @@ the repository that the package is run from.
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Iterable
 from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
@@ -15,6 +17,9 @@ __all__ = ["default_grammar", "default_locations", "default_robot", "find", "is_
 
 PACKAGE = Path(__file__).parent
 _SUFFIX = ".yaml"
+_HOMES = {"de": "zuhause"}
+"""Maps of the tutorials' home, by the language in which they name its places; ``home`` is English."""
+_LANGUAGE = re.compile(r"^language:[ \t]*[\"']?([a-z]{2,3})\b", re.MULTILINE | re.IGNORECASE)
 
 
 def _folders(kind: str) -> list[Path]:
@@ -73,9 +78,24 @@ def default_grammar(language: str = "en") -> Path:
     return find("grammars", language)
 
 
-def default_locations() -> Path:
-    """The map of the tutorials' home."""
-    return find("locations", "home")
+def default_locations(grammars: Iterable[str | Path] = ()) -> list[Path]:
+    """The maps of the tutorials' home that name its places in the languages of some grammars; in English, where there
+    is none.
+
+    Args:
+        grammars: paths of files, which need not be right: whoever loads them says what is wrong.
+    """
+    languages = [_language(Path(grammar)) for grammar in grammars] or ["en"]
+    return [find("locations", name) for name in dict.fromkeys(_HOMES.get(one, "home") for one in languages)]
+
+
+def _language(grammar: Path) -> str:
+    """The language that a grammar file names; empty: none, or it is no file that can be read twice."""
+    try:
+        found = _LANGUAGE.search(grammar.read_text("utf-8")) if grammar.is_file() else None
+    except (OSError, ValueError):
+        return ""
+    return found.group(1).lower() if found else ""
 
 
 def default_robot() -> Path:

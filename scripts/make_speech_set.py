@@ -15,7 +15,7 @@ voices give the same files.
     intent-engine evaluate out/paused_set
     intent-engine evaluate out/paused_set --wait continued=0
     python scripts/make_speech_set.py --language de      # out/speech_set_de
-    intent-engine evaluate out/speech_set_de --grammar de --locations zuhause
+    intent-engine evaluate out/speech_set_de --grammar de
 
 Voices are those that are installed. On Debian:
 

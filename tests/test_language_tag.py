@@ -28,8 +28,8 @@ def test_what_is_no_tag_stays_what_it_is(text):
 
 
 @pytest.mark.parametrize("tag", ["de-AT", "de_DE", "DE", "de-Latn-CH-1996"])
-def test_a_region_takes_the_grammar_of_its_language(tag):
-    assert CliRunner().invoke(app, ["parse", "--language", tag, "--locations", "zuhause", "halt an"]).exit_code == 0
+def test_a_region_takes_the_grammar_and_the_map_of_its_language(tag):
+    assert CliRunner().invoke(app, ["parse", "--language", tag, "fahr in die Küche"]).exit_code == 0
     assert IntentEngine.from_files(default_grammar("de")).parse("halt an", language=tag).stops
 
 

@@ -41,15 +41,44 @@ def test_the_installed_package_comes_before_the_repository(tmp_path, monkeypatch
     installed.write_text("frame: map\n", "utf-8")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(resources, "PACKAGE", package)
-    assert resources.default_locations() == installed
+    assert resources.default_locations() == [installed]
     with pytest.raises(ConfigError, match=r"no file en\.yaml in grammars/"):
         resources.default_grammar()
+
+
+@pytest.mark.parametrize(
+    ("texts", "maps"),
+    [
+        ((), ["home"]),
+        (["language: en"], ["home"]),
+        (["# Deutsch\nlanguage: de  # so\nintents: {}"], ["zuhause"]),
+        (["language: 'de'"], ["zuhause"]),
+        (["language: DE-AT"], ["zuhause"]),
+        (["language: en", "language: de"], ["home", "zuhause"]),
+        (["language: fr"], ["home"]),
+        (["intents: {a: {language: de}}"], ["home"]),
+        (["\n  language: de"], ["home"]),
+        (["language:\nde"], ["home"]),
+        ([""], ["home"]),
+    ],
+)
+def test_the_map_of_the_home_is_in_the_language_of_the_grammar(tmp_path, texts, maps):
+    files = [tmp_path / f"{place}.yaml" for place in range(len(texts))]
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text, "utf-8")
+    assert [one.stem for one in resources.default_locations(files)] == maps
+
+
+def test_a_grammar_that_cannot_be_read_is_of_no_language(tmp_path):
+    (tmp_path / "latin.yaml").write_bytes(b"language: de\n# \xff")
+    for file in (tmp_path, tmp_path / "none.yaml", tmp_path / "latin.yaml"):
+        assert [one.stem for one in resources.default_locations([file])] == ["home"]
 
 
 def test_everything_that_is_looked_for_is_put_into_the_wheel(root):
     project = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))
     included = project["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]
-    for path in (resources.default_grammar(), resources.default_locations(), resources.default_robot()):
+    for path in (resources.default_grammar(), *resources.default_locations(), resources.default_robot()):
         kind = path.parent.name
         assert included[kind] == f"intent_engine/share/{kind}"
         assert (root / kind / path.name).is_file()

@@ -49,14 +49,17 @@ def check(
     fail, names that sound alike; and how large and how ambiguous the grammars are.
     """
     names = [*(grammars or ()), *(named or ())] or ["en"]
-    maps = [find("locations", name) for name in locations] if locations else [default_locations()]
+    given = [find("locations", name) for name in locations or ()]
     count: Counter[str] = Counter()
-    untried = elsewhere = 0
+    untried = 0
+    elsewhere: Counter[str] = Counter()
     for group in [names] if together else [[name] for name in names]:
-        found, reports = _checked([find("grammars", name) for name in group], maps)
-        if not locations:  # which map it is for was not said
+        paths = [find("grammars", name) for name in group]
+        maps = given or default_locations(paths)
+        found, reports = _checked(paths, maps)
+        if not given:  # which map it is for was not said
             found = [replace(one, level="note") if one.topic == "place" else one for one in found]
-            elsewhere += sum(one.topic == "place" for one in found)
+            elsewhere[" and ".join(one.stem for one in maps)] += sum(one.topic == "place" for one in found)
         count.update(finding.level for finding in found)
         untried += sum((finding.topic, finding.level) == ("example", "note") for finding in found)
         if as_json:
@@ -67,11 +70,10 @@ def check(
     if not as_json:
         rest = f"; --notes tells {_many(count['note'], 'note')}" if count["note"] and not notes else ""
         left = f", {_many(untried, 'example')} of other places not tried" if untried else ""
-        away = (
-            f", {_many(elsewhere, 'place')} not on the map {maps[0].stem} (--locations FILE is yours)"
-            if elsewhere
-            else ""
+        away = "".join(
+            f", {_many(places, 'place')} not on the map {name}" for name, places in elsewhere.items() if places
         )
+        away += " (--locations FILE is yours)" if away else ""
         summary = f"{_many(count['error'], 'error')}, {_many(count['warning'], 'warning')}{left}{away}{rest}"
         say(summary, "red" if failed else "yellow" if count["warning"] else "green")
     return EXIT_NOT_ACCEPTED if failed else 0

@@ -58,7 +58,10 @@ NamedToo = Annotated[
 Locations = Annotated[
     list[str] | None,
     typer.Option(
-        "--locations", "-l", help="Map file, or the name of a shipped one; may be repeated.", show_default="home"
+        "--locations",
+        "-l",
+        help="Map file, or the name of a shipped one; may be repeated.",
+        show_default="home, zuhause in German",
     ),
 ]
 Device = Annotated[
@@ -100,7 +103,7 @@ def load_engine(
 
     paths = [find("grammars", name) for name in grammars] if grammars else [_grammar_of(language)]
     grammar_paths = [_readable(path) for path in paths]
-    map_paths = [_readable(find("locations", name)) for name in locations] if locations else [default_locations()]
+    map_paths = [_readable(find("locations", name)) for name in locations or ()] or default_locations(grammar_paths)
     if wake and not all(re.search(r"\w", word) for word in wake):
         raise ConfigError(Problem("the wake word has no letters", hint='give a name: --wake-word "robot"'))
     return IntentEngine.from_files(grammar_paths, locations=map_paths, wake=wake or ())

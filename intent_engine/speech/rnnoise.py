@@ -96,6 +96,9 @@ def installed_filter() -> NoiseFilter | None:
 
 
 class _Speech:
+    _state: Any = None
+    """What the library keeps of the sound; None: a signal came while it was made."""
+
     def __init__(self, library: Any, share: float, frames: list[Samples]) -> None:
         import soxr
 
@@ -112,7 +115,8 @@ class _Speech:
             self._take(frame)
 
     def __del__(self) -> None:
-        self._library.rnnoise_destroy(self._state)
+        if self._state is not None:
+            self._library.rnnoise_destroy(self._state)
 
     @property
     def quiet(self) -> bool:

@@ -106,7 +106,7 @@ def load_examples(path: Path, locations: Sequence[Path] = ()) -> Examples:
     """
     if is_test_file(path):
         return _tests(path, locations)
-    engine = IntentEngine.from_files(path, locations=list(locations) or default_locations())
+    engine = IntentEngine.from_files(path, locations=list(locations) or default_locations([path]))
     own = {str(path), str(path.resolve())}
     cases = grammar_cases(engine)
     # What the grammar includes has examples of its own, and is tested for itself.
@@ -242,7 +242,7 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     maps = list(_named(source, "locations", "locations")) or list(locations)
     if source.problems:
         raise ConfigError(source.problems)
-    engine = IntentEngine.from_files(grammars, locations=maps or default_locations())
+    engine = IntentEngine.from_files(grammars, locations=maps or default_locations(grammars))
     common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
     _check_states(source, ("state",), data.get("state", ()), engine)
     _check_language(source, engine)

@@ -103,6 +103,12 @@ def test_a_share_that_is_none(share):
         RNNoise(share)
 
 
+def test_what_a_signal_broke_off_lets_go_of_nothing(capsys):
+    """Python calls it whatever became of what was begun, and would tell of its error in the middle of a report."""
+    rnnoise._Speech.__new__(rnnoise._Speech).__del__()
+    assert capsys.readouterr().err == ""
+
+
 def test_where_it_is_not_installed(monkeypatch):
     monkeypatch.setattr(rnnoise, "find_spec", lambda name: None)
     rnnoise._library.cache_clear()
