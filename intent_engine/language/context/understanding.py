@@ -18,6 +18,8 @@ from intent_engine.language.context.said_instead import may_forbid, said_instead
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.wordings.pronouns import NameSaid
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unreadable import as_read
 from intent_engine.needs import MOVING, Needs
@@ -107,7 +109,8 @@ class Understanding(Generic[_Parser]):
             return resolve(found, before, parser.matcher.grammar, self._needs, self._state), parser
         if MOVING in self._state and not does and (stop := self._objection(text, done, parser)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
-        if done and not does and MOVING not in self._state and (instead := self._instead(text, done)) is not None:
+        at_rest = MOVING not in self._state
+        if done and not found.actions and at_rest and (instead := self._instead(text, done)) is not None:
             return instead
         if done and not (does or found.denied) and (named := self._named_before(text, done, found)) is not None:
             found, parser = named
@@ -134,7 +137,10 @@ class Understanding(Generic[_Parser]):
         """What one puts in the place of what was done before, if the robot is at rest; None: nothing."""
         for parser in self._typed_behind(text):
             grammar = parser.matcher.grammar
-            other = as_joined(text, grammar.operators.correction, grammar.wording.in_its_place, grammar.language)
+            correction, wording = grammar.operators.correction, grammar.wording
+            other = as_joined(text, correction, wording.in_its_place, grammar.language)
+            if not other and correction and PhraseSet(wording.excludes).at(Utterance.of(text).words, 0):
+                other = f"{' '.join(correction[0])}, {text}"  # "not the lab, the hall": "no, not the lab, the hall"
             listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
             meaning = partial(self._resolved, parser)
             if not other or may_forbid(other, grammar, meaning):

@@ -252,7 +252,7 @@ class WrittenOtherwise:
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
-        if (anew := self._said_twice.begun_anew(core)) is not None:
+        if (anew := self._said_twice.begun_anew(core, self._said(text))) is not None:
             return self._understood_as(text, core, anew, state)
         once = self._said_twice.once(core)
         found = self._understood_as(text, core, once, state) if once is not None else None

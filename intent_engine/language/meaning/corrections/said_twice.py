@@ -36,16 +36,21 @@ class SaidTwice:
         once = said_once(core, lambda start, end: self._may_be(core.words, start, end))
         return once if once is not None and len(once) >= LEAST_WORDS else None
 
-    def begun_anew(self, core: Utterance) -> Utterance | None:
+    def begun_anew(self, core: Utterance, said: Utterance) -> Utterance | None:
         """The command behind words that were begun and left. None: there are none.
 
         They were begun without its verb, and all of them are said again in it: "the boxes, uh, take the boxes to the
         hall". Or they begin with its verb, are the beginning of a command and none yet, and name nothing else: "go for
-        go forward six feet".
+        go forward six feet". Or nothing but a verb was begun, and a hesitation stands before another: "turn, uh, rotate
+        the first joint".
+
+        Args:
+            core: words without those that say nothing,
+            said: and with them.
         """
         verbs = self._commands.verbs
         if core.words[0] in verbs:
-            return self._begun_with_the_verb(core)
+            return self._begun_with_the_verb(core) or self._begun_with_another_verb(core, said)
         for place in range(1, min(len(core), MOST_BEGUN + 1)):
             left, rest = core.words[:place], core.part(place, len(core))
             if not verbs.isdisjoint(left) or self._phrases.operate_in(left):
@@ -71,6 +76,24 @@ class SaidTwice:
         # "Turn right *uh* turn right seventy five" is one, and without the "uh" it may be two.
         more = core.breaks[again[0]] is None and len(rest) > len(left) and rest.words[: len(left)] == left
         return rest if more or not strict.accepting(begun) else None
+
+    def _begun_with_another_verb(self, core: Utterance, said: Utterance) -> Utterance | None:
+        place = next((at for at in range(1, min(len(core), MOST_BEGUN + 1)) if core.breaks[at] is not False), 0)
+        left, rest = core.words[:place], core.part(place, len(core))
+        if not place or rest.words[0] not in self._commands.verbs or self._phrases.operate_in(left):
+            return None
+        # What was begun says nothing yet: of "open the lid, uh, take the cup" the lid would be lost.
+        strict = self._commands.matcher.strict
+        _, begun = strict.walk(left)
+        if not self._saying_nothing.issuperset(left[1:]) or begun is None or strict.accepting(begun):
+            return None
+        return rest if self._hesitates_behind(left, said) else None
+
+    def _hesitates_behind(self, left: Sequence[str], said: Utterance) -> bool:
+        hesitation = self._phrases.hesitation
+        places = range(len(left), len(said)) if hesitation.may_stand_in(said.words) else ()
+        begun = (self._phrases.without_fillers(said.part(0, at)).words for at in places if hesitation.at(said.words, at))
+        return list(left) in begun
 
     def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
         """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands

@@ -12,6 +12,7 @@ from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.listed_numbers import ListedNumbers
 from intent_engine.language.meaning.several.shared_verb import SharedVerb
+from intent_engine.language.meaning.several.verbs_of_one_thing import VerbsOfOneThing
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["SeveralAtOnce"]
@@ -23,12 +24,13 @@ class SeveralAtOnce:
     def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
         self._lists = ListedNumbers(phrases, commands)
         self._shared_verb = SharedVerb(phrases, commands, self._lists)
+        self._verbs = VerbsOfOneThing(phrases, commands, self._lists)
         self._corrected = CorrectedLists(phrases, commands, corrections)
         self._for_each = commands.matcher.grammar.wording.for_each
 
     def verb_may_be_shared(self, core: Utterance) -> bool:
-        """A quick look: whether one verb may be said of several things."""
-        return self._shared_verb.may_stand_in(core)
+        """A quick look: whether one verb may be said of several things, or several of one."""
+        return self._shared_verb.may_stand_in(core) or self._verbs.may_stand_in(core)
 
     def one_of(self, core: Utterance, state: Collection[str]) -> list[tuple[str, str]]:
         """What is said of each thing of which one is meant, and the whole command with it: "unlock drawer 13 or 30".
@@ -49,7 +51,7 @@ class SeveralAtOnce:
         def listed(words: Utterance, of_each: bool = False) -> list[Clause]:
             found = self._lists.each(words, state, after, of_each=of_each)
             if found is None and shared:
-                found = self._shared_verb.each(words, state, of_each=of_each)
+                found = self._shared_verb.each(words, state, of_each=of_each) or self._verbs.each(words, state)
             return found or []
 
         if (each := self._for_each.find(part.words, 1)) is not None:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.numbers.english_words import DIGITS, TEENS, TENS
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.ordinals_spelled import in_figures
+from intent_engine.language.numbers.units import units
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
@@ -16,6 +19,13 @@ from intent_engine.language.words.thing_words import thing_words
 __all__ = ["ByNumber"]
 
 _MOST = 99
+
+
+def _begins_anew(words: Sequence[str], at: int) -> bool:
+    """Whether a number begins that is none with the word before it: "four *ninety*", "4 *90*"; not "twenty five"."""
+    if is_numeral(words[at]):
+        return is_numeral(words[at - 1])
+    return words[at] in TENS | TEENS and words[at - 1] in DIGITS | TEENS
 
 
 class ByNumber:
@@ -31,6 +41,8 @@ class ByNumber:
         known = thing_words(grammar.language)
         self._articles, self._definite = known.articles, sorted(known.definite)
         self._no_noun = known.joining | known.articles | known.alone
+        table = units(grammar.language)
+        self._measures = table.names if table is not None else {}
         self.rule = (self.told, self.is_meant)
         """It as one of those in which numbers are written otherwise."""
 
@@ -55,10 +67,17 @@ class ByNumber:
             end = at
             while end < len(words) and is_number(words[end], language) and not said.breaks[end]:
                 end += 1
+            end = self._before_a_measure(words, at, end)
             if end > at and at > 1 and words[at - 1] in self._own - self._no_noun:
                 found.append((at - 1, end))
             at = max(end, at + 1)
         return found[0] if len(found) == 1 else None
+
+    def _before_a_measure(self, words: Sequence[str], start: int, end: int) -> int:
+        """Where the number of the noun ends, if another with its unit follows: "joint four *ninety* degrees"."""
+        measured = self._measures and tuple(words[end : end + 1]) in self._measures
+        ends = [at for at in range(start + 1, end if measured else start) if _begins_anew(words, at)]
+        return ends[0] if len(ends) == 1 else end
 
     def is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
         """Whether the noun stands straight behind an ordinal, and no words are free."""
