@@ -26,6 +26,10 @@ class Wording:
     """What says nothing behind the first of several commands: "close the door *first*, then start"."""
     for_each: PhraseSet = _NONE
     """What says behind a list that the rest holds for each: "for ten minutes *each*"."""
+    both_of: PhraseSet = _NONE
+    """What says before two things that both are meant: "*both* the cup and the plate"."""
+    done_again: PhraseSet = _NONE
+    """What asks by itself for what was done last, once more: "*do it again*"."""
     leads: frozenset[str] = frozenset()
     """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
     says_when: frozenset[str] = frozenset()

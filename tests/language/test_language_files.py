@@ -65,7 +65,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "parts": "de es fr it",  # English counts with ordinals
     },
     "operators": {
-        "adds": "en", "agrees": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
+        "adds": "en", "agrees": "en", "both_of": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
         "denying": "fr", "formal": "de es fr it", "before_verb": "de es fr it", "forbidding": "en es fr it",
         "may_forbid": "en es it",
         "excludes_apart": "de es fr it", "negated": "en", "none_of": "en es it", "parted": "de",

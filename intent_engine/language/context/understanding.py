@@ -7,10 +7,11 @@ from dataclasses import replace
 from functools import partial
 from typing import Generic, Protocol, TypeVar
 
-from intent_engine.actions import Action, actions_of
+from intent_engine.actions import Action, Custom, actions_of
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
+from intent_engine.language.context.done_again import AGAIN
 from intent_engine.language.context.going_on import as_joined, goes_on_from
 from intent_engine.language.context.named_before import named_before
 from intent_engine.language.context.references import Before, resolve
@@ -114,6 +115,8 @@ class Understanding(Generic[_Parser]):
             return instead
         if done and not (does or found.denied) and (named := self._named_before(text, done, found)) is not None:
             found, parser = named
+        if done and not (found.actions or found.denied) and (again := self._again(text)) is not None:
+            return again
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
         if self._by_voice and Cause.NO_COMMAND in found.causes:
@@ -147,6 +150,23 @@ class Understanding(Generic[_Parser]):
                 continue
             if (found := said_instead(other, done, self._before or (), meaning, listed)) is not None:
                 return found, parser
+        return None
+
+    def _again(self, text: str) -> tuple[Interpretation, _Parser] | None:
+        """What was done last, once more, where no command of the grammar does that; None: it is not asked for."""
+        for parser in self._typed_behind(text):
+            grammar = parser.matcher.grammar
+            said = Utterance.of(text, grammar.language)
+            words = said.without(PhraseSet(grammar.fillers)).words
+            thanks = grammar.wording.thanking.find(said.words)  # "thanks again", but "again, thanks"
+            own = any(intent.action.name == AGAIN for intent in grammar.intents.values())
+            if own or not words or grammar.wording.done_again.at(words, 0) < len(words):
+                continue
+            if thanks is not None and words[0] not in said.words[: thanks[0]]:
+                continue
+            asked = Interpretation(text, Status.ACCEPTED, AGAIN, actions=(Custom(AGAIN),), confidence=1.0)
+            found = resolve(replace(asked, needs=(Needs(AGAIN),)), self._before, grammar, self._needs, self._state)
+            return found, parser
         return None
 
     def _resolved(self, parser: _Parser, text: str) -> Interpretation:

@@ -11,6 +11,7 @@ from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.corrections.broken_off import broken_off
 from intent_engine.language.meaning.corrections.opposed_words import OpposedWords
 from intent_engine.language.meaning.corrections.replacement import Replacements
 from intent_engine.language.meaning.corrections.stand_ins import StandIns
@@ -39,7 +40,7 @@ class Corrections:
         self._matcher = commands.matcher
         self._definite = thing_words(commands.matcher.grammar.language).definite
         wording = commands.matcher.grammar.wording
-        self._forbidding, self._none_of = wording.may_forbid, wording.none_of
+        self._forbidding, self._none_of, self._leads = wording.may_forbid, wording.none_of, wording.leads
 
     def taken_back(self, words: list[str]) -> int:
         """Length of the correction with which the words end, with nothing in its place: "go forward, no"."""
@@ -103,6 +104,8 @@ class Corrections:
         pieces = list(self._split(part))
         if len(pieces) < 2:
             return self._corrected_before(part, state) if not before else None
+        if not before and (whole := broken_off(pieces, self._leads, self._commands, state)) is not None:
+            return self.told(whole, list(whole.reading.words if whole.reading is not None else ()))
         current = pieces[0][0]
         if (parted := self._parted(pieces[0][0], pieces[-1][0], state, before)) is not None:
             return parted

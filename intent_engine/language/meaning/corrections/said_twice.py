@@ -48,9 +48,11 @@ class SaidTwice:
             core: words without those that say nothing,
             said: and with them.
         """
+        if (less := self._without_begun_verb(core, said)) is not None:
+            return less
         verbs = self._commands.verbs
         if core.words[0] in verbs:
-            return self._begun_with_the_verb(core) or self._begun_with_another_verb(core, said)
+            return self._begun_with_the_verb(core)
         for place in range(1, min(len(core), MOST_BEGUN + 1)):
             left, rest = core.words[:place], core.part(place, len(core))
             if not verbs.isdisjoint(left) or self._phrases.operate_in(left):
@@ -77,23 +79,31 @@ class SaidTwice:
         more = core.breaks[again[0]] is None and len(rest) > len(left) and rest.words[: len(left)] == left
         return rest if more or not strict.accepting(begun) else None
 
-    def _begun_with_another_verb(self, core: Utterance, said: Utterance) -> Utterance | None:
-        place = next((at for at in range(1, min(len(core), MOST_BEGUN + 1)) if core.breaks[at] is not False), 0)
-        left, rest = core.words[:place], core.part(place, len(core))
-        if not place or rest.words[0] not in self._commands.verbs or self._phrases.operate_in(left):
+    def _without_begun_verb(self, core: Utterance, said: Utterance) -> Utterance | None:
+        """The utterance less a verb that was begun and left at a hesitation, for a command with another or the same:
+        "turn, uh, rotate it". What was begun says nothing yet: of "open the lid, uh, take it" the lid would be lost."""
+        hesitation, strict = self._phrases.hesitation, self._commands.matcher.strict
+        if not hesitation.may_stand_in(said.words):
             return None
-        # What was begun says nothing yet: of "open the lid, uh, take the cup" the lid would be lost.
-        strict = self._commands.matcher.strict
-        _, begun = strict.walk(left)
-        if not self._saying_nothing.issuperset(left[1:]) or begun is None or strict.accepting(begun):
-            return None
-        return rest if self._hesitates_behind(left, said) else None
+        for place in range(1, len(core)):
+            if core.breaks[place] is False or core.words[place] not in self._commands.verbs:
+                continue
+            start = next((at for at in range(place - 1, max(place - MOST_BEGUN, 0), -1) if self._begins(core, at)), 0)
+            left = core.words[start:place]
+            _, begun = strict.walk(left)
+            is_begun = begun is not None and not strict.accepting(begun) and left[0] in self._commands.verbs
+            names_none = self._saying_nothing.issuperset(left[1:]) and not self._phrases.operate_in(left)
+            if is_begun and names_none and self._hesitates_behind(core.words[:place], said):
+                return core.cut(start, place)
+        return None
+
+    def _begins(self, core: Utterance, place: int) -> bool:
+        return bool(core.breaks[place]) or self._phrases.sequence.ends(core.words[:place]) > 0
 
     def _hesitates_behind(self, left: Sequence[str], said: Utterance) -> bool:
         hesitation = self._phrases.hesitation
-        places = range(len(left), len(said)) if hesitation.may_stand_in(said.words) else ()
-        begun = (self._phrases.without_fillers(said.part(0, at)).words for at in places if hesitation.at(said.words, at))
-        return list(left) in begun
+        places = (at for at in range(len(left), len(said)) if hesitation.at(said.words, at))
+        return any(self._phrases.without_fillers(said.part(0, at)).words == left for at in places)
 
     def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
         """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands

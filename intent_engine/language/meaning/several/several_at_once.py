@@ -17,6 +17,8 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["SeveralAtOnce"]
 
+_BOTH = 2
+
 
 class SeveralAtOnce:
     """The commands of such a sentence."""
@@ -26,7 +28,8 @@ class SeveralAtOnce:
         self._shared_verb = SharedVerb(phrases, commands, self._lists)
         self._verbs = VerbsOfOneThing(phrases, commands, self._lists)
         self._corrected = CorrectedLists(phrases, commands, corrections)
-        self._for_each = commands.matcher.grammar.wording.for_each
+        wording = commands.matcher.grammar.wording
+        self._for_each, self._both_of = wording.for_each, wording.both_of
 
     def verb_may_be_shared(self, core: Utterance) -> bool:
         """A quick look: whether one verb may be said of several things, or several of one."""
@@ -57,4 +60,8 @@ class SeveralAtOnce:
         if (each := self._for_each.find(part.words, 1)) is not None:
             start, length = each
             return listed(part.cut(start, start + length), of_each=True)
+        if shared and (both := self._both_of.find(part.words, 1)) is not None:
+            start, length = both
+            found = listed(part.cut(start, start + length))
+            return found if len(found) == _BOTH or not all(clause.accepted for clause in found) else []
         return self._corrected.each(part, state, listed) or listed(part)

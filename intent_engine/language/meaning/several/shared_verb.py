@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from intent_engine.actions import ChangeSpeed, Custom, Stop
 from intent_engine.language.context.done_again import AGAIN
-from intent_engine.language.grammar import FREE_KINDS, TELLING_APART
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, TELLING_APART
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -32,6 +32,7 @@ MOST_SAID = 8
 """Things that one verb is said of, as commands in one utterance."""
 MOST_WORDS = 30
 """Of a sentence with one verb for several things."""
+_LEAST_WITH_A_NUMBER = 2
 _NAMES = (*TELLING_APART, *FREE_KINDS)
 
 
@@ -157,13 +158,24 @@ class SharedVerb:
             for start in range(first_end - 1, 0, -1):
                 said = [_Said(first.clause, first.reading, start, first_end)]
                 for begin, stop in (*between, (last_start, end)):
-                    other = self._said(_joined(part.part(0, start), part.part(begin, stop)), after, start, state)
+                    own = _joined(part.part(0, start), self._with_unit(part.part(begin, stop), said[0]))
+                    other = self._said(own, after, start, state)
                     if other is None:
                         break
                     said.append(other)
                 else:
                     if self._are_alike(said, one=one, of_each=of_each):
                         yield said
+
+    def _with_unit(self, own: Utterance, first: _Said) -> Utterance:
+        """What is said of another thing, with the unit that was said of the first: "the peppers for ten", behind "water
+        the basil for five *minutes*"."""
+        is_number, words = self._commands.matcher.is_number, first.reading.words
+        measured = any(slot.end == first.end and slot.slot.type in QUANTITY_KINDS for slot in first.own)
+        if not measured or len(own) < _LEAST_WITH_A_NUMBER or not is_number(own.words[-1]):
+            return own
+        number = next((at for at in range(first.end, first.start, -1) if is_number(words[at - 1])), first.end)
+        return _joined(own, Utterance.in_one_breath(words[number : first.end]))
 
     def _begins_with_a_verb(self, reading: Reading, words: Sequence[str]) -> bool:
         """Whether all share a verb, which may be a value of a list before an article: "{does} the {thing}"."""
