@@ -98,12 +98,24 @@ class OtherWords:
         if not asks:
             switched = self._one_of(self._verbless.ways(said, verbs), said, state)
             named_first = list(self._named_first.ways(said, verbs))
-            found = switched or self._one_of(self._ways(named_first), said, state)
+            found = switched or self._one_of(self._ways(named_first), said, state) or self._named_at_first(said, state)
             if found is None and self._said_first.leads(said):  # "for the next hour, stay there"
                 found = self._one_of(self._ways([Rewording(said)]), said, state)
             if found is not None:
                 return found
         return part_by_part(said, self._phrases, self._language, partial(self._otherwise, said, state, asks=asks))
+
+    def _named_at_first(self, said: Utterance, state: Collection[str]) -> Utterance | None:
+        """Several commands, of which the first has what it is about before it: "the fan, switch it on *and come here*".
+        What follows is left as it is."""
+        pause = next((at for at in range(1, len(said)) if said.breaks[at]), len(said))
+        for end in range(pause + 2, len(said) - 1):
+            if said.breaks[end] or self._phrases.sequence.at(said.words, end):
+                ways = list(self._named_first.ways(first := said.part(0, end), self._commands.verbs))
+                found = self._one_of(self._ways(ways), first, state) if ways else None
+                if found is not None:
+                    return said.with_other(0, end, found)
+        return None
 
     def _otherwise(self, said: Utterance, state: Collection[str], part: Utterance, *, asks: bool) -> Utterance | None:
         """One of the commands of what was said otherwise."""

@@ -1,4 +1,4 @@
-"""A command that was broken off behind a small word and goes on behind a correction: "raise it by, no, by ten meters"."""
+"""A command that was broken off behind a small word, and goes on behind a "no": "raise it by, no, by ten meters"."""
 
 from __future__ import annotations
 
@@ -32,6 +32,8 @@ def broken_off(
     if len(said) < _BOTH or said.words[-1] not in leads or commands.accepts(meant.words, state):
         return None
     begun = said.words[:-1] if meant.words[0] in leads else said.words
-    clause = commands.exact([*begun, *meant.words], state, breaks=[*said.breaks[: len(begun)], False, *meant.breaks[1:]])
+    clause = commands.exact(
+        [*begun, *meant.words], state, breaks=[*said.breaks[: len(begun)], False, *meant.breaks[1:]]
+    )
     whole = clause is not None and clause.accepted and clause.reading is not None and not clause.reading.free_words
     return clause if whole else None
