@@ -28,7 +28,7 @@ from intent_engine.language.meaning.wordings.infinitive_alone import infinitive_
 from intent_engine.language.meaning.wordings.itself import Itself
 from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.named_again import NamedAgain
-from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS
+from intent_engine.language.meaning.wordings.numbers_otherwise import NUMBERS, NumbersRule
 from intent_engine.language.meaning.wordings.one_of_it import OneOfIt
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.permitted import Permitted
@@ -40,6 +40,7 @@ from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.meaning.wordings.said_lightly import SaidLightly
 from intent_engine.language.meaning.wordings.shared_nouns import SharedNouns
 from intent_engine.language.meaning.wordings.taken_up import TakenUp
+from intent_engine.language.meaning.wordings.told_which import ToldWhich
 from intent_engine.language.meaning.wordings.verb_again import VerbAgain
 from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verb_second import VerbSecond
@@ -101,8 +102,8 @@ class WrittenOtherwise:
         self._permitted = Permitted(wording)
         self._reasons = Reasons(self._matcher, phrases)
         often = HowOften(self._matcher.grammar, phrases)
-        rules = (*OneOfIt(commands).rules, often.rule, ByNumber(self._matcher.grammar).rule)
-        self._numbers = (*NUMBERS, *rules, *GivenTo(commands).rules)
+        rules: tuple[NumbersRule, ...] = (*OneOfIt(commands).rules, often.rule, *ByNumber(self._matcher.grammar).rules)
+        self._numbers = (*NUMBERS, *rules, *GivenTo(commands).rules, *ToldWhich(commands).rules)
         self._pointing = NamedAgain(self._matcher.grammar, phrases)
         self._particles = Particles(commands, phrases)
         self._shared_nouns = SharedNouns(self._matcher, phrases)

@@ -230,6 +230,8 @@ class Corrections:
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
         replaced = self._replacements.replaced(denied, meant, state, "")
         replaced = replaced or self._opposites.replaced(denied, meant, state)
+        if replaced is None and self._stand_ins.stands_last(denied, meant):  # "grab the blue cup, not the red one"
+            replaced = self._stand_ins.replaced(denied, meant, state)
         if replaced is None:
             return None
         before, after = (self._commands.exact(some.words, state) for some in (denied, replaced))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.numbers.english_words import DIGITS, TEENS, TENS
@@ -19,6 +20,10 @@ from intent_engine.language.words.thing_words import thing_words
 __all__ = ["ByNumber"]
 
 _MOST = 99
+_MOST_NOUNS = 2
+"""With numbers, of which one is tried."""
+_NUMBERED = frozenset(("number",))
+"""What may stand between a noun and its number: "preset *number* 3"."""
 
 
 def _begins_anew(words: Sequence[str], at: int) -> bool:
@@ -43,35 +48,42 @@ class ByNumber:
         self._no_noun = known.joining | known.articles | known.alone
         table = units(grammar.language)
         self._measures = table.names if table is not None else {}
-        self.rule = (self.told, self.is_meant)
-        """It as one of those in which numbers are written otherwise."""
+        self.rules = [(partial(self._told, which=at), partial(self._is_meant, which=at)) for at in range(_MOST_NOUNS)]
+        """It as some of those in which numbers are written otherwise."""
 
-    def told(self, said: Utterance, language: str) -> Utterance | None:
-        """The utterance with the one number of it in order, behind an article; None: it has none, or several."""
-        place = self._place(said, language)
-        if place is None:
-            return None
-        noun, end = place
-        value = evaluate(said.words[noun + 1 : end], "number", language)
-        if not isinstance(value, float) or not value.is_integer() or not 0 < value <= _MOST:
-            return None
-        article = [] if said.words[noun - 1] in self._articles else self._definite[:1]
-        return said.with_other(noun, end, Utterance.in_one_breath([*article, in_figures(int(value)), said.words[noun]]))
+    def _told(self, said: Utterance, language: str, *, which: int) -> Utterance | None:
+        """The utterance with each number of one noun in order, behind an article; None: it has none, or a larger one.
+        "Bay 3" may be told so beside it: "rotate joint 2 and go to bay 3"."""
+        told = said
+        for noun, start, end in reversed(self._of_one_noun(said, language, which)):
+            value = evaluate(said.words[start:end], "number", language)
+            if not isinstance(value, float) or not value.is_integer() or not 0 < value <= _MOST:
+                return None
+            article = [] if said.words[noun - 1] in self._articles else self._definite[:1]
+            other = Utterance.in_one_breath([*article, in_figures(int(value)), said.words[noun]])
+            told = told.with_other(noun, end, other)
+        return told if told is not said else None
 
-    def _place(self, said: Utterance, language: str) -> tuple[int, int] | None:
-        """Where the noun stands, in one breath with its number, and where the number ends."""
+    def _of_one_noun(self, said: Utterance, language: str, which: int) -> list[tuple[int, int, int]]:
+        places = self._places(said, language)
+        nouns = [*dict.fromkeys(said.words[noun] for noun, _, _ in places)][which : which + 1]
+        return [place for place in places if said.words[place[0]] in nouns]
+
+    def _places(self, said: Utterance, language: str) -> list[tuple[int, int, int]]:
+        """Where each noun stands, in one breath with its number, and where that begins and ends."""
         words = said.words
-        found: list[tuple[int, int]] = []
+        found: list[tuple[int, int, int]] = []
         at = 1
         while self._own and at < len(words):
             end = at
             while end < len(words) and is_number(words[end], language) and not said.breaks[end]:
                 end += 1
             end = self._before_a_measure(words, at, end)
-            if end > at and at > 1 and words[at - 1] in self._own - self._no_noun:
-                found.append((at - 1, end))
+            noun = at - 1 - (words[at - 1] in _NUMBERED and words[at - 1] not in self._own)
+            if end > at and noun > 0 and words[noun] in self._own - self._no_noun:
+                found.append((noun, at, end))
             at = max(end, at + 1)
-        return found[0] if len(found) == 1 else None
+        return found
 
     def _before_a_measure(self, words: Sequence[str], start: int, end: int) -> int:
         """Where the number of the noun ends, if another with its unit follows: "joint four *ninety* degrees"."""
@@ -79,11 +91,10 @@ class ByNumber:
         ends = [at for at in range(start + 1, end if measured else start) if _begins_anew(words, at)]
         return ends[0] if len(ends) == 1 else end
 
-    def is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
-        """Whether the noun stands straight behind an ordinal, and no words are free."""
-        place = self._place(said, language)
-        if place is None or any(reading.free_words for reading in readings):
+    def _is_meant(self, said: Utterance, readings: Sequence[Reading], language: str, *, which: int) -> bool:
+        """Whether the noun stands straight behind an ordinal each time, and no words are free."""
+        nouns = [said.words[noun] for noun, _, _ in self._of_one_noun(said, language, which)]
+        if not nouns or any(reading.free_words for reading in readings):
             return False
-        noun = said.words[place[0]]
         ordinals = [(one, slot) for one in readings for slot in one.slots if slot.slot.type == "ordinal"]
-        return len(ordinals) == 1 and ordinals[0][0].words[ordinals[0][1].end :][:1] == (noun,)
+        return sum(one.words[slot.end :][:1] == (nouns[0],) for one, slot in ordinals) == len(nouns)

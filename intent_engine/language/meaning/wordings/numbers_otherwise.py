@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
@@ -14,7 +15,7 @@ from intent_engine.language.slots.written_shares import are_shares, shares_in_wo
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
 
-__all__ = ["NUMBERS"]
+__all__ = ["NUMBERS", "NumbersRule"]
 
 _Otherwise = Callable[[Utterance, str], Utterance | None]
 _IsMeant = Callable[[Utterance, Sequence[Reading], str], bool]
@@ -24,7 +25,10 @@ def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool
     return True
 
 
-NUMBERS: tuple[tuple[_Otherwise, _IsMeant], ...] = (
+NumbersRule: TypeAlias = tuple[_Otherwise, _IsMeant]
+"""How numbers may be written, and whether that is what its readings took them for."""
+
+NUMBERS: tuple[NumbersRule, ...] = (
     (figures_apart, are_apart),
     (figures_joined, _always),
     (every_one, is_every_one),
