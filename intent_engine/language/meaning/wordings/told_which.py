@@ -6,10 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from intent_engine.language.meaning.command import Commands
-from intent_engine.language.meaning.corrections.replacement import Replacements
-from intent_engine.language.meaning.corrections.stand_ins import StandIns
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["ToldWhich"]
 
@@ -24,7 +23,7 @@ class ToldWhich:
     def __init__(self, commands: Commands) -> None:
         self._commands = commands
         self._one_words = commands.matcher.grammar.wording.standing_for
-        self._stand_ins = StandIns(commands, Replacements(commands))
+        self._articles = thing_words(commands.matcher.grammar.language).articles
         self.rules = ((self.told, self.is_meant),)
         """It as one of those that put what was said otherwise."""
 
@@ -32,9 +31,16 @@ class ToldWhich:
         """The command with its thing told in full; None: it is none, or not clear."""
         del language
         parts = self._parts(said)
-        if parts is None or not self._stand_ins.stands_last(*parts):
+        if parts is None:
             return None
-        return self._stand_ins.replaced(*parts, ())
+        before, which = parts
+        found: dict[object, Utterance] = {}
+        for at in (place for place, word in enumerate(before.words) if word in self._articles):
+            way = before.with_other(at + 1, at + 1, which)
+            clause = self._commands.exact(way.words, (), breaks=way.breaks)
+            if clause is not None and clause.accepted:
+                found.setdefault(clause.action, way)
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def is_meant(self, said: Utterance, readings: Sequence[Reading], language: str) -> bool:
         """Whether nothing is said of the command but which one, of which it said nothing before."""
@@ -48,7 +54,11 @@ class ToldWhich:
         return before.intent is readings[0].intent and same and len(new) == len(old) + 1
 
     def _parts(self, said: Utterance) -> tuple[Utterance, Utterance] | None:
+        """The command, and which one is meant of its thing; None: that is not told, or was told before."""
         if not said.words or said.words[-1] not in self._one_words:
             return None
         pause = next((at for at in range(len(said) - 1, 0, -1) if said.breaks[at]), 0)
-        return (said.part(0, pause), said.part(pause, len(said))) if pause else None
+        which = said.words[pause + 1 : -1]
+        if not (pause and which) or said.words[pause] not in self._articles or set(said.words[:pause]) & set(which):
+            return None
+        return said.part(0, pause), Utterance.in_one_breath(which)
