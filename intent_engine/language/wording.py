@@ -30,6 +30,8 @@ class Wording:
     """What says before two things that both are meant: "*both* the cup and the plate"."""
     done_again: PhraseSet = _NONE
     """What asks by itself for what was done last, once more: "*do it again*"."""
+    turns_to: PhraseSet = _NONE
+    """What begins a text that goes on from the one before with another thing: "*now* the fan"."""
     leads: frozenset[str] = frozenset()
     """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
     says_when: frozenset[str] = frozenset()

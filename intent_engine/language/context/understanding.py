@@ -129,8 +129,11 @@ class Understanding(Generic[_Parser]):
         """What a text that is typed adds to what was done before, and the parser that says so; None: nothing."""
         for parser in self._typed_behind(text):
             grammar = parser.matcher.grammar
-            more = as_joined(text, grammar.operators.sequence, grammar.wording.besides, grammar.language)
-            parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
+            joints, wording = grammar.operators.sequence, grammar.wording
+            more = as_joined(text, joints, wording.besides, grammar.language)
+            if not more and joints and wording.turns_to.at(Utterance.of(text, grammar.language).words, 0):
+                more = f"{' '.join(joints[0])} {text}"  # "now the fan": "and now the fan"
+            parted = thing_words(grammar.language).alone.union(wording.parted)
             meaning = partial(self._resolved, parser)
             if more and (found := goes_on_from(more, done, self._before or (), meaning, parted)) is not None:
                 return found, parser

@@ -62,7 +62,7 @@ def test_only_what_is_added_is_done(engine: IntentEngine, texts: tuple[str, ...]
     assert len(found.needs) == len(found.actions)
 
 
-@pytest.mark.parametrize("text", ["Ben too", "Ben, too!", "to Ben as well", "and Ben as well", "also Ben"])
+@pytest.mark.parametrize("text", ["Ben too", "Ben, too!", "to Ben as well", "and Ben as well", "also Ben", "now Ben"])
 def test_what_is_done_besides_goes_on_without_a_joint(engine: IntentEngine, text: str) -> None:
     found = said_one_by_one(engine, "wave to Anna", text)
     assert (values(found), found.goes_on) == (["Ben"], True)
@@ -74,6 +74,9 @@ def test_what_is_done_besides_goes_on_without_a_joint(engine: IntentEngine, text
     [
         ("wave to Anna", "and Ben?"),
         ("wave to Anna", "Ben too?"),
+        ("wave to Anna", "now Ben?"),
+        ("wave to Anna", "now Ben is late"),
+        ("wave to Anna", "now not Ben"),
         ("wave to Anna", "me too"),
         ("wave to Anna", "too"),
         ("wave to Anna", "not Ben too"),

@@ -23,6 +23,11 @@ LOCKED = {
     "would you mind locking drawer 3, no, 4": [4],
     "would you be so kind as to lock drawer 3": [3],
     "it would be great if you could lock drawer 3": [3],
+    "what I need is for you to lock drawer 3": [3],
+    "I'd love it if you'd lock drawer 3": [3],
+    "could you be so kind to lock drawer 3": [3],
+    "would be nice if you could lock drawer 3": [3],
+    "let's have you lock drawer 3": [3],
     "I'd appreciate it if you could lock drawer 3 and lock drawer 4": [3, 4],
 }
 
