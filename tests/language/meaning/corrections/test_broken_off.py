@@ -52,6 +52,7 @@ def engine(engine_of) -> IntentEngine:
             "rotate joint 2 by ten degrees and joint 3 by twenty",
             "rotate the second joint by ten degrees and rotate the third joint by twenty degrees",
         ),
+        ("lift the tray, I'm sorry, the lid", "lift the lid"),
         ("lift the tray, the blue one", "lift the blue tray"),
         ("lift the blue tray, not the red one", "lift the blue tray"),
         ("lift the blue tray not the red one, please", "lift the blue tray"),

@@ -27,6 +27,7 @@ LOCKED = {
     "I'd love it if you'd lock drawer 3": [3],
     "could you be so kind to lock drawer 3": [3],
     "would be nice if you could lock drawer 3": [3],
+    "it would be nice if you lock drawer 3": [3],
     "let's have you lock drawer 3": [3],
     "I'd appreciate it if you could lock drawer 3 and lock drawer 4": [3, 4],
 }
