@@ -107,11 +107,13 @@ class OtherWords:
 
     def _named_at_first(self, said: Utterance, state: Collection[str]) -> Utterance | None:
         """Several commands, of which the first has what it is about before it: "the fan, switch it on *and come here*".
-        What follows is left as it is."""
+        What follows is left as it is; without a verb of its own it may be of what was named first as well."""
+        verbs = self._commands.verbs
         pause = next((at for at in range(1, len(said)) if said.breaks[at]), len(said))
         for end in range(pause + 2, len(said) - 1):
-            if said.breaks[end] or self._phrases.sequence.at(said.words, end):
-                ways = list(self._named_first.ways(first := said.part(0, end), self._commands.verbs))
+            joint = self._phrases.sequence.at(said.words, end)
+            if (joint or said.breaks[end]) and not verbs.isdisjoint(said.words[end + joint : end + joint + 1]):
+                ways = list(self._named_first.ways(first := said.part(0, end), verbs))
                 found = self._one_of(self._ways(ways), first, state) if ways else None
                 if found is not None:
                     return said.with_other(0, end, found)

@@ -124,7 +124,7 @@ GRAMMAR = CRANE.replace(
         ("that lamp, switch it on", "switch the lamp on"),
         ("I need that lamp, switch it on", "switch the lamp on"),
         ("the lamp, switch it on and check the boom", "switch the lamp on, then check the boom"),
-        ("the lamp, switch it on, and the pump off", "switch the lamp on, then switch the pump off"),
+        ("the lamp, switch it on, then switch the pump off", "switch the lamp on, then switch the pump off"),
         # What is switched.
         ("lamp on and pump off", "switch the lamp on, then switch the pump off"),
         ("the lamp off, the pump on please", "switch the lamp off, then switch the pump on"),

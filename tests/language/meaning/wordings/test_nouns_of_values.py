@@ -115,7 +115,7 @@ def test_so_it_is_in_the_next_utterance(engine_of) -> None:
         ("en", "grab the cube, then grab the red one"),
         ("en", "grab the green cube, open the red lid and grab the red one"),
         ("en", "grab the green cube and put the one on the tray"),
-        ("en", "grab the green cube and not the red one"),
+        ("en", "grab the green cube and not the green one"),
         ("en", "grab the green cube and put that ring on the tray"),
         ("en", "grab the green cube, then the red ball and put that on the tray"),
         ("en", "turn the wrist to green one"),

@@ -56,6 +56,7 @@ def engine(engine_of) -> IntentEngine:
         ("lift the tray, the blue one", "lift the blue tray"),
         ("lift the blue tray, not the red one", "lift the blue tray"),
         ("lift the blue tray not the red one, please", "lift the blue tray"),
+        ("lift the blue tray and not the red one", "lift the blue tray"),
         ("rotate joint 4 90°", "rotate the fourth joint by ninety degrees"),
     ],
 )
