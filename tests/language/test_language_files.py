@@ -62,7 +62,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "alike": "de en",  # of others nobody has measured what is heard for what
         "respelled": "de es fr", "respelled_parts": "de",
         "joined": "es",  # only there numbers are said apart that are written in one word
-        "parts": "de es fr it",  # English counts with ordinals
+        "nouns": "de es fr it", "parts": "de es fr it",  # English counts with ordinals
     },
     "operators": {
         "adds": "en", "agrees": "en", "both_of": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
