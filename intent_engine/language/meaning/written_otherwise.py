@@ -108,7 +108,7 @@ class WrittenOtherwise:
         self._particles = Particles(commands, phrases)
         self._shared_nouns = SharedNouns(self._matcher, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
-        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
+        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal, self._infinitives, self._asking)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._other_words = other_words
@@ -305,8 +305,7 @@ class WrittenOtherwise:
 
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
-        verbs = self._commands.verbs
-        things = (*([way] for way in self._taken_up.ways(core, verbs)), *self._taken_up.again(core, verbs))
+        things = self._taken_up.things(core, self._said(text), self._commands.verbs)
         means = ((self._understood_as(text, core, way, state) for way in ways) for ways in things)
         return only(next(filter(None, ways), None) for ways in means)
 
@@ -353,7 +352,7 @@ class WrittenOtherwise:
             return []
         has_a_verb = self._commands.may_have_a_verb(core.words)
         named = self._pointing.before(text, core, before, understood) if has_a_verb else []
-        return named or self._taken_up.before(text, core, before, self._commands.verbs)
+        return [*named, *self._taken_up.before(text, core, self._said(text), before, self._commands.verbs)]
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

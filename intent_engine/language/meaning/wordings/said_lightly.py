@@ -19,6 +19,8 @@ __all__ = ["SaidLightly"]
 _PACES = ("speed", "angular_speed")
 _PACED = ("move", "turn", "change_speed")
 """Actions that are done at a speed."""
+_LEAST_BEFORE = 2
+"""Words of an order before such a one behind it."""
 _AMOUNTS = frozenset({*QUANTITY_KINDS, "number", "ordinal"})
 
 
@@ -64,6 +66,8 @@ class SaidLightly:
         """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells; and how fast
         something is driven is no matter of hurry."""
         places = {*self._places(core, verbs)}
+        if self._softener_behind(core, verbs) and any(reading.free_words for reading in readings):
+            return False
         if any(reading.free_words for reading in readings) and not places.issuperset(self._further_on(core, verbs)):
             return False
         if self._hurries.find(core.words) and any(reading.intent.action.type in _PACED for reading in readings):
@@ -110,3 +114,19 @@ class SaidLightly:
             yield namely, self._namely.at(words, namely)
         elif (last := self._urges.ends(words)) and len(core) - last > 1 and words[-last] not in verbs:
             yield len(core) - last, last
+        elif last := self._softener_behind(core, verbs):
+            yield len(core) - last, last
+        for at in range(2, len(core) - 1):  # "engrasa la cadena, *anda*, que va fatal"
+            length = self._urges.at(words, at)
+            if length and words[at] not in verbs and core.breaks[at] and any(core.breaks[at + length : at + length + 1]):
+                yield at, length
+
+    def _softener_behind(self, core: Utterance, verbs: Collection[str]) -> int:
+        """Words that soften an order behind the whole of it: "bind sie *noch*", "spegni il motore *pure*". None that
+        correct ("mejor"), and none behind a number, of which they may tell more."""
+        length = self._softens.ends(core.words) if core.words[0] in verbs else 0
+        at = len(core) - length
+        if not length or at < _LEAST_BEFORE or any(core.breaks[at:]) or core.words[at] in verbs:
+            return 0
+        corrects = self._phrases.correction.at(core.words, at)
+        return 0 if corrects or is_number(core.words[at - 1], self._language) else length
