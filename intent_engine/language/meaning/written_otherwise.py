@@ -325,8 +325,12 @@ class WrittenOtherwise:
 
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
-        found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
-        return found if self._verb_again.means(readings_of(found)) else None
+        rule, verbs = self._verb_again, self._commands.verbs
+        for way, means in ((rule.said_anew, rule.means), (rule.done_too, rule.are_alike)):
+            found = self._understood_as(text, core, way(core, verbs), state)
+            if means(readings_of(found)):
+                return found
+        return None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has

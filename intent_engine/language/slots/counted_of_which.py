@@ -14,6 +14,7 @@ from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["are_of_which", "without_of_which"]
 
+
 def without_of_which(said: Utterance, language: str) -> Utterance | None:
     """An utterance without the "of the" behind its numbers; None: there is none."""
     other = said

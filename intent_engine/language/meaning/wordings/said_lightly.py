@@ -112,14 +112,17 @@ class SaidLightly:
         namely = next((at for at in range(2, len(core) - 1) if core.breaks[at] and self._namely.at(words, at)), None)
         if namely is not None and not any(core.breaks[namely + 1 :]):
             yield namely, self._namely.at(words, namely)
-        elif (last := self._urges.ends(words)) and len(core) - last > 1 and words[-last] not in verbs:
+        elif last := self._urge_behind(core, verbs) or self._softener_behind(core, verbs):
             yield len(core) - last, last
-        elif last := self._softener_behind(core, verbs):
-            yield len(core) - last, last
-        for at in range(2, len(core) - 1):  # "engrasa la cadena, *anda*, que va fatal"
-            length = self._urges.at(words, at)
-            if length and words[at] not in verbs and core.breaks[at] and any(core.breaks[at + length : at + length + 1]):
+        for at in (at for at in range(2, len(core) - 1) if core.breaks[at] and words[at] not in verbs):
+            length = self._urges.at(words, at)  # "engrasa la cadena, *anda*, que chirría"
+            if length and any(core.breaks[at + length : at + length + 1]):
                 yield at, length
+
+    def _urge_behind(self, core: Utterance, verbs: Collection[str]) -> int:
+        """Words that urge at the end of an order: "abre la puerta, *anda*"."""
+        last = self._urges.ends(core.words)
+        return last if len(core) - last > 1 and last and core.words[-last] not in verbs else 0
 
     def _softener_behind(self, core: Utterance, verbs: Collection[str]) -> int:
         """Words that soften an order behind the whole of it: "bind sie *noch*", "spegni il motore *pure*". None that

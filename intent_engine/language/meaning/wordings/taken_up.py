@@ -35,9 +35,7 @@ class TakenUp:
         asking: and as a friend is asked.
     """
 
-    def __init__(
-        self, grammar: Grammar, phrases: Phrases, formal: Formal, infinitives: Formal, asking: Formal
-    ) -> None:
+    def __init__(self, grammar: Grammar, phrases: Phrases, formal: Formal, infinitives: Formal, asking: Formal) -> None:
         wording = grammar.wording
         self._pronouns = wording.taken_up
         self._before = wording.joined | wording.joined_first

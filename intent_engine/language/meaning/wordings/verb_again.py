@@ -18,6 +18,7 @@ __all__ = ["VerbAgain"]
 
 _LEAST = 3
 """Words of what is told without its verb: "das Licht aus","""
+
 _LEAST_WITH_ITS_ARTICLE = 2
 """and where nouns have no cases, of which a verb behind them would be said: "the lid"."""
 
@@ -37,6 +38,33 @@ class VerbAgain:
         self._articles = known.done_to or known.definite
         self._least = _LEAST if self._has_cases else _LEAST_WITH_ITS_ARTICLE
         self._sequence = phrases.sequence
+        self._besides, self._parted = grammar.wording.besides, frozenset(grammar.wording.parted)
+
+    def done_too(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """The order with its verb, and what was parted from that, said anew of the other thing that it is done to "as
+        well": "schalte die Pumpe ein und die Heizung auch". None: there is no such thing.
+
+        Args:
+            core: what was said, without its fillers.
+            verbs: with which commands begin.
+        """
+        length = self._besides.ends(core.words) if self._parted and core.words[0] in verbs else 0
+        end = len(core) - length
+        found = self._sequence.find(core.words, _LEAST) if length else None
+        if found is None or any(core.breaks[at] for at in range(1, len(core)) if at != found[0]):
+            return None
+        at, thing = found[0], sum(found)
+        if core.words[at - 1] not in self._parted or not thing < end or self._sequence.find(core.words, thing):
+            return None
+        told = [core.words[0], *core.words[thing:end], core.words[at - 1]]
+        return core.with_other(thing, len(core), Utterance.in_one_breath(told))
+
+    def are_alike(self, readings: Sequence[Reading]) -> bool:
+        """Whether these do the same with two things that are listed or numbered, and nothing more is said of one."""
+        if len(readings) != 2 or any(reading.free_words for reading in readings):
+            return False
+        (one, said), (other, anew) = ((reading.sentence, reading.values()) for reading in readings)
+        return one is other and said.keys() == anew.keys() and sum(said[key] != anew[key] for key in said) == 1
 
     def said_anew(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """The order with its verb before each thing behind an "and" that has none; None: there is no such thing.
