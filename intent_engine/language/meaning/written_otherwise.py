@@ -210,6 +210,7 @@ class WrittenOtherwise:
             told = self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
             return told or only(self._understood_as(text, core, way, state) for way in self._pronoun.asked_for(rest))
         requests = self._phrases.requests(said.words) or self._begs(said)
+        requests = requests or ("?" not in text and self._permitted.asks_within(said, core))
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
@@ -325,9 +326,8 @@ class WrittenOtherwise:
 
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
-        rule, verbs = self._verb_again, self._commands.verbs
-        for way, means in ((rule.said_anew, rule.means), (rule.done_too, rule.are_alike)):
-            found = self._understood_as(text, core, way(core, verbs), state)
+        for way, means in self._verb_again.ways(core, self._commands.verbs):
+            found = self._understood_as(text, core, way, state)
             if means(readings_of(found)):
                 return found
         return None

@@ -5,9 +5,9 @@ command does with several things is another matter: see
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import TELLING_APART, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.template_tree import references
@@ -18,9 +18,11 @@ __all__ = ["VerbAgain"]
 
 _LEAST = 3
 """Words of what is told without its verb: "das Licht aus","""
-
 _LEAST_WITH_ITS_ARTICLE = 2
 """and where nouns have no cases, of which a verb behind them would be said: "the lid"."""
+
+_NAMING = (*TELLING_APART, "number")
+_Means = Callable[[Sequence[Reading]], bool]
 
 
 class VerbAgain:
@@ -40,15 +42,43 @@ class VerbAgain:
         self._sequence = phrases.sequence
         self._besides, self._parted = grammar.wording.besides, frozenset(grammar.wording.parted)
 
-    def done_too(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """The order with its verb, and what was parted from that, said anew of the other thing that it is done to "as
-        well": "schalte die Pumpe ein und die Heizung auch". None: there is no such thing.
+    def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, _Means]]:
+        """The order with its verb, or its thing, said anew, and what tells whether readings of that are meant.
 
         Args:
             core: what was said, without its fillers.
             verbs: with which commands begin.
         """
-        length = self._besides.ends(core.words) if self._parted and core.words[0] in verbs else 0
+        if core.words[0] not in verbs or not self._sequence.may_stand_in(core.words):
+            return
+        rules = ((self._said_anew, self._mean), (self._done_too, self._are_alike), (self._of_both, self._are_both))
+        for rule, means in rules:
+            if (way := rule(core, verbs)) is not None:
+                yield way, means
+
+    def _of_both(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """The order with the thing of two verbs behind the first, too: "falze und binde die Hefte". None: there are
+        none."""
+        length = self._sequence.at(core.words, 1)
+        second = 1 + length
+        if not length or second + 1 >= len(core) or core.words[second] not in verbs or any(core.breaks[1:]):
+            return None
+        return core.with_other(1, 1, core.part(second + 1, len(core)))
+
+    def _are_both(self, readings: Sequence[Reading]) -> bool:
+        """Whether these are two commands of the same thing that is listed or numbered, and say no more: "for ten
+        minutes" may be of the second alone."""
+        if len(readings) != 2 or any(reading.free_words for reading in readings):
+            return False
+        one, other = readings
+        named = all(slot.slot.type in _NAMING and not slot.slot.units for slot in (*one.slots, *other.slots))
+        values = [sorted(str(slot.value) for slot in reading.slots if slot.start) for reading in readings]
+        return named and values[0] == values[1]
+
+    def _done_too(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """The order with its verb, and what was parted from that, said anew of the other thing that it is done to "as
+        well": "schalte die Pumpe ein und die Heizung auch". None: there is no such thing."""
+        length = self._besides.ends(core.words) if self._parted else 0
         end = len(core) - length
         found = self._sequence.find(core.words, _LEAST) if length else None
         if found is None or any(core.breaks[at] for at in range(1, len(core)) if at != found[0]):
@@ -59,21 +89,16 @@ class VerbAgain:
         told = [core.words[0], *core.words[thing:end], core.words[at - 1]]
         return core.with_other(thing, len(core), Utterance.in_one_breath(told))
 
-    def are_alike(self, readings: Sequence[Reading]) -> bool:
+    def _are_alike(self, readings: Sequence[Reading]) -> bool:
         """Whether these do the same with two things that are listed or numbered, and nothing more is said of one."""
         if len(readings) != 2 or any(reading.free_words for reading in readings):
             return False
         (one, said), (other, anew) = ((reading.sentence, reading.values()) for reading in readings)
         return one is other and said.keys() == anew.keys() and sum(said[key] != anew[key] for key in said) == 1
 
-    def said_anew(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """The order with its verb before each thing behind an "and" that has none; None: there is no such thing.
-
-        Args:
-            core: what was said, without its fillers.
-            verbs: with which commands begin.
-        """
-        if not self._articles or core.words[0] not in verbs or not self._sequence.may_stand_in(core.words):
+    def _said_anew(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """The order with its verb before each thing behind an "and" that has none; None: there is no such thing."""
+        if not self._articles:
             return None
         joins = {at: self._sequence.at(core.words, at) for at in range(_LEAST, len(core) - self._least)}
         if any(pause and not joins.get(at) for at, pause in enumerate(core.breaks[1:], 1)):
@@ -85,7 +110,7 @@ class VerbAgain:
                 said = said.with_other(at, at, Utterance.in_one_breath([core.words[0]]))
         return said if said.words != core.words else None
 
-    def means(self, readings: Sequence[Reading]) -> bool:
+    def _mean(self, readings: Sequence[Reading]) -> bool:
         """Whether these are different commands about things that are listed: "hol die Tasse und den Teller rein". What
         the first says besides may be of the other as well, where that may have it and does not say it: "close the door
         in the hall and the window"."""
