@@ -47,7 +47,10 @@ class NounsOfNumbers:
         nouns = set(self._nouns(before, core.words[at - 1]))
         if len(nouns) != 1:
             return None
-        return as_said(core.with_other(at - 1, at, Utterance.in_one_breath(nouns.pop())))
+        noun = nouns.pop()
+        ways = ([core.words[at - 1], noun], [noun])
+        said = (as_said(core.with_other(at - 1, at, Utterance.in_one_breath(way))) for way in ways)
+        return next(filter(None, said), None)
 
     def _places(self, core: Utterance) -> Iterator[int]:
         """Where a number stands behind its article, with nothing that it counts, and what joins or a verb before it:
@@ -61,15 +64,13 @@ class NounsOfNumbers:
             if end > at and bare and joined and not any(breaks[at:end]):
                 yield at
 
-    def _nouns(self, before: Understood | None, article: str) -> Iterator[tuple[str, ...]]:
-        """The nouns before numbers in commands, each with the same article or, as it was said, with none."""
+    def _nouns(self, before: Understood | None, article: str) -> Iterator[str]:
+        """The nouns before numbers in commands, each with the same article or with none."""
         for reading in readings_of(before):
             held = {at for slot in reading.slots for at in range(slot.start, slot.end)}
             for slot in (one for one in reading.slots if one.slot.type == "number" and not one.slot.units):
                 noun = slot.start - 1
                 if noun < 1 or noun in held or reading.words[noun] in self._no_noun:
                     continue
-                if reading.words[noun - 1] == article:
-                    yield article, reading.words[noun]
-                elif reading.words[noun - 1] not in self._articles:
-                    yield (reading.words[noun],)
+                if reading.words[noun - 1] == article or reading.words[noun - 1] not in self._articles:
+                    yield reading.words[noun]
