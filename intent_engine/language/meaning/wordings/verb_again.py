@@ -12,6 +12,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.template_tree import references
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["VerbAgain"]
@@ -40,6 +41,7 @@ class VerbAgain:
         self._articles = known.done_to or known.definite
         self._least = _LEAST if self._has_cases else _LEAST_WITH_ITS_ARTICLE
         self._sequence = phrases.sequence
+        self._language = grammar.language
         self._besides, self._parted = grammar.wording.besides, frozenset(grammar.wording.parted)
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, _Means]]:
@@ -58,10 +60,11 @@ class VerbAgain:
 
     def _of_both(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """The order with the thing of two verbs behind the first, too: "falze und binde die Hefte". None: there are
-        none."""
+        none; of "open and close" nobody knows whether both are meant."""
         length = self._sequence.at(core.words, 1)
         second = 1 + length
-        if not length or second + 1 >= len(core) or core.words[second] not in verbs or any(core.breaks[1:]):
+        turned = core.words[second] in opposed(core.words[0], self._language) if second < len(core) else False
+        if not length or turned or second + 1 >= len(core) or core.words[second] not in verbs or any(core.breaks[1:]):
             return None
         return core.with_other(1, 1, core.part(second + 1, len(core)))
 

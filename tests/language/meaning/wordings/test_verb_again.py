@@ -113,6 +113,8 @@ slots: {tissu: [laine, soie]}
 intents:
   laver: {action: custom, sentences: ["lave la {tissu}"]}
   repasser: {action: custom, sentences: ["repasse la {tissu}"]}
+  ouvrir: {action: custom, sentences: ["ouvre la {tissu}"]}
+  fermer: {action: custom, sentences: ["ferme la {tissu}"]}
 """,
 }
 
@@ -141,6 +143,7 @@ def test_verb_or_thing_is_said_once(engine_of, language: str, said: str, meant: 
         ("de", "leg die Hefte ein und die Plakate"),
         ("de", "leg die Hefte ein und die Plakate auch nicht"),
         ("fr", "lave et ne repasse pas la laine"),
+        ("fr", "ouvre et ferme la soie"),
     ],
 )
 def test_where_it_is_not_clear_of_which_nothing_is_done(engine_of, language: str, said: str) -> None:
