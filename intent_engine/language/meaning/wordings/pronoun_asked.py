@@ -14,6 +14,8 @@ __all__ = ["PronounAsked"]
 
 _WHO = ("tu", "vous")
 """Who is asked, where a language says so."""
+_MOST_WORDS = 20
+"""Words of an order that is looked at."""
 _NOTHING = Utterance([], [])
 """What is said before what is wished, that would ask for it."""
 
@@ -49,6 +51,8 @@ class PronounAsked:
             said: all of it, also what asks for it.
         """
         kindly = self._kindly.find(said.words) is not None
+        if len(core) > _MOST_WORDS:
+            return
         wish = self._wishing.at(core.words, 0) if self._pronouns else 0  # "quiero que *lo* apagues"
         if 0 < wish < len(core):
             core, said = core.part(wish, len(core)), _NOTHING

@@ -66,6 +66,8 @@ class VerbAgain:
         turned = core.words[second] in opposed(core.words[0], self._language) if second < len(core) else False
         if not length or turned or second + 1 >= len(core) or core.words[second] not in verbs or any(core.breaks[1:]):
             return None
+        if self._sequence.may_stand_in(core.words[second:]):
+            return None  # nothing that is said twice holds more commands
         return core.with_other(1, 1, core.part(second + 1, len(core)))
 
     def _are_both(self, readings: Sequence[Reading]) -> bool:
