@@ -17,6 +17,9 @@ __all__ = ["NounsOfNumbers"]
 _OF_A_VERB = 2
 """Words of a verb between what joins and the article: "et fais tourner la trois"."""
 
+_MOST_WORDS = 24
+"""Words of an utterance that is looked at."""
+
 
 class NounsOfNumbers:
     """Puts in the noun before another number of the command before. In English "the 4" is no thing.
@@ -42,7 +45,7 @@ class NounsOfNumbers:
             core: what was said.
             as_said: what an utterance means that takes its place; None: it is no command.
         """
-        at = next(self._places(core), 0)
+        at = next(self._places(core), 0) if len(core) <= _MOST_WORDS else 0
         before = told_before(core, at, self._sequence, as_said) if at else None
         nouns = set(self._nouns(before, core.words[at - 1]))
         if len(nouns) != 1:
