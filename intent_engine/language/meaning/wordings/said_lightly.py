@@ -39,6 +39,7 @@ class SaidLightly:
         hurries = [phrase for phrase in wording.hurries if not paces and own.isdisjoint(phrase)]
         self._hurries = PhraseSet(hurries)
         self._softens = PhraseSet((*wording.softens, *hurries))
+        self._behind = wording.softens  # none that hurries: "dos cafés más rápido" tells how
         self._vague = wording.vaguely
         self._urges = wording.urges
         self._namely = wording.namely
@@ -127,7 +128,7 @@ class SaidLightly:
     def _softener_behind(self, core: Utterance, verbs: Collection[str]) -> int:
         """Words that soften an order behind the whole of it: "bind sie *noch*", "spegni il motore *pure*". None that
         correct ("mejor"), and none behind a number, of which they may tell more."""
-        length = self._softens.ends(core.words) if core.words[0] in verbs else 0
+        length = self._behind.ends(core.words) if core.words[0] in verbs else 0
         at = len(core) - length
         if not length or at < _LEAST_BEFORE or any(core.breaks[at:]) or core.words[at] in verbs:
             return 0
