@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 
-from intent_engine.language.grammar import TELLING_APART, Grammar
+from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.template_tree import references
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["VerbAgain"]
@@ -22,7 +21,6 @@ _LEAST = 3
 _LEAST_WITH_ITS_ARTICLE = 2
 """and where nouns have no cases, of which a verb behind them would be said: "the lid"."""
 
-_NAMING = (*TELLING_APART, "number")
 _Means = Callable[[Sequence[Reading]], bool]
 
 
@@ -41,11 +39,10 @@ class VerbAgain:
         self._articles = known.done_to or known.definite
         self._least = _LEAST if self._has_cases else _LEAST_WITH_ITS_ARTICLE
         self._sequence = phrases.sequence
-        self._language = grammar.language
         self._besides, self._parted = grammar.wording.besides, frozenset(grammar.wording.parted)
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, _Means]]:
-        """The order with its verb, or its thing, said anew, and what tells whether readings of that are meant.
+        """The order with its verb said anew, and what tells whether readings of that are meant.
 
         Args:
             core: what was said, without its fillers.
@@ -53,32 +50,10 @@ class VerbAgain:
         """
         if core.words[0] not in verbs or not self._sequence.may_stand_in(core.words):
             return
-        rules = ((self._said_anew, self._mean), (self._done_too, self._are_alike), (self._of_both, self._are_both))
+        rules = ((self._said_anew, self._mean), (self._done_too, self._are_alike))
         for rule, means in rules:
             if (way := rule(core, verbs)) is not None:
                 yield way, means
-
-    def _of_both(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
-        """The order with the thing of two verbs behind the first, too: "falze und binde die Hefte". None: there are
-        none; of "open and close" nobody knows whether both are meant."""
-        length = self._sequence.at(core.words, 1)
-        second = 1 + length
-        turned = core.words[second] in opposed(core.words[0], self._language) if second < len(core) else False
-        if not length or turned or second + 1 >= len(core) or core.words[second] not in verbs or any(core.breaks[1:]):
-            return None
-        if self._sequence.may_stand_in(core.words[second:]):
-            return None  # nothing that is said twice holds more commands
-        return core.with_other(1, 1, core.part(second + 1, len(core)))
-
-    def _are_both(self, readings: Sequence[Reading]) -> bool:
-        """Whether these are two commands of the same thing that is listed or numbered, and say no more: "for ten
-        minutes" may be of the second alone."""
-        if len(readings) != 2 or any(reading.free_words for reading in readings):
-            return False
-        one, other = readings
-        named = all(slot.slot.type in _NAMING and not slot.slot.units for slot in (*one.slots, *other.slots))
-        values = [sorted(str(slot.value) for slot in reading.slots if slot.start) for reading in readings]
-        return named and values[0] == values[1]
 
     def _done_too(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """The order with its verb, and what was parted from that, said anew of the other thing that it is done to "as
