@@ -124,7 +124,6 @@ intents:
     [
         ("de", "falze und binde die Hefte", "falze die Hefte und binde die Hefte"),
         ("de", "leg die Hefte ein und die Plakate auch", "leg die Hefte ein und leg die Plakate ein"),
-        ("fr", "lave et repasse la laine", "lave la laine et repasse la laine"),
     ],
 )
 def test_verb_or_thing_is_said_once(engine_of, language: str, said: str, meant: str) -> None:
