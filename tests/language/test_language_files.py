@@ -62,7 +62,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "alike": "de en",  # of others nobody has measured what is heard for what
         "respelled": "de es fr", "respelled_parts": "de",
         "joined": "es",  # only there numbers are said apart that are written in one word
-        "parts": "de es fr it",  # English counts with ordinals
+        "nouns": "de es fr it", "parts": "de es fr it",  # English counts with ordinals
     },
     "operators": {
         "adds": "en", "agrees": "en", "both_of": "en", "asked": "de es", "behind_verb": "de", "compares": "en es fr it",
@@ -76,7 +76,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "asking": "de es fr it", "kindly": "de es fr it", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "puts": "en", "brings": "en", "places_alone": "en",
-        "wholes": "en", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
+        "wholes": "en es fr it", "no_joints": "en", "up_to": "en", "in_to": "en", "sized": "de en", "levels": "en",
         "how_often": "de en", "wishes_for": "en", "takes_along": "en", "switched": "de en", "led_by": "de en fr it",
         "switching": "en", "lasting_behind": "de",
         "wishes_done": "en", "to_be": "en", "permits": "de en", "pleads": "en",

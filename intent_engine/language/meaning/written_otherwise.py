@@ -108,7 +108,7 @@ class WrittenOtherwise:
         self._particles = Particles(commands, phrases)
         self._shared_nouns = SharedNouns(self._matcher, phrases)
         self._said_lightly = SaidLightly(self._matcher.grammar, phrases)
-        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal)
+        self._taken_up = TakenUp(self._matcher.grammar, phrases, self._formal, self._infinitives, self._asking)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._other_words = other_words
@@ -210,6 +210,7 @@ class WrittenOtherwise:
             told = self._understood_as(text, core, self._infinitives.told(wished) or wished, state)
             return told or only(self._understood_as(text, core, way, state) for way in self._pronoun.asked_for(rest))
         requests = self._phrases.requests(said.words) or self._begs(said)
+        requests = requests or ("?" not in text and self._permitted.asks_within(said, core))
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not (asks or requests) or ("?" in text and not requests):
             return None
@@ -305,8 +306,7 @@ class WrittenOtherwise:
 
     def _taken_up_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "La palette, descends-la" of a grammar that has "descends la palette"."""
-        verbs = self._commands.verbs
-        things = (*([way] for way in self._taken_up.ways(core, verbs)), *self._taken_up.again(core, verbs))
+        things = self._taken_up.things(core, self._said(text), self._commands.verbs)
         means = ((self._understood_as(text, core, way, state) for way in ways) for ways in things)
         return only(next(filter(None, ways), None) for ways in means)
 
@@ -326,8 +326,11 @@ class WrittenOtherwise:
 
     def _with_its_verb_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach die Jalousie auf und das Licht aus" of a grammar with a command for each."""
-        found = self._understood_as(text, core, self._verb_again.said_anew(core, self._commands.verbs), state)
-        return found if self._verb_again.means(readings_of(found)) else None
+        for way, means in self._verb_again.ways(core, self._commands.verbs):
+            found = self._understood_as(text, core, way, state)
+            if means(readings_of(found)):
+                return found
+        return None
 
     def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Bring the tray over to the lab" of a grammar that has "to the lab", "turn the lamp back on" of one that has
@@ -353,7 +356,7 @@ class WrittenOtherwise:
             return []
         has_a_verb = self._commands.may_have_a_verb(core.words)
         named = self._pointing.before(text, core, before, understood) if has_a_verb else []
-        return named or self._taken_up.before(text, core, before, self._commands.verbs)
+        return [*named, *self._taken_up.before(text, core, self._said(text), before, self._commands.verbs)]
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

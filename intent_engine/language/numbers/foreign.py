@@ -26,7 +26,7 @@ LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt"))
 """What text2num knows, besides English; of any other it raises."""
 MAX_WORDS = 16
 
-SCALES: Mapping[str, float] = {"two": 2.0, "dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
+SCALES: Mapping[str, float] = {"two": 2.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
@@ -53,7 +53,7 @@ def is_number_word(word: str, language: str) -> bool:
     """Whether a word is a number of the language, or a word that stands inside numbers ("und", "komma", "halbe")."""
     table = units(language)
     inside = ("one", "half", "halves", "quarter", "and", "point", "minus", *SCALES)
-    if table is not None and any(word in table.words.get(key, ()) for key in inside):
+    if table is not None and (word in table.nouns or any(word in table.words.get(key, ()) for key in inside)):
         return True
     if table is not None and ((word, True) in table.parts or (word, False) in table.parts):
         return True
@@ -149,7 +149,7 @@ def _value(words: Sequence[str], at: int, end: int, language: str) -> float | No
             return part[0]  # "eine drei viertel Stunde"
     if (scale := _scale(words[end - 1], language)) is not None:
         before = _value(words, at, end - 1, language)
-        fits = before is not None and not 0 < before < 0.01 and (scale == 12 or before < scale)
+        fits = before is not None and not 0 < before < 0.01 and (words[end - 1] in table.nouns or before < scale)
         return before * scale if before is not None and fits else None
     for place in range(at + 1, end):
         half = _and_half(words, place, language)
@@ -234,7 +234,7 @@ def _scale(word: str, language: str) -> float | None:
     table = units(language)
     if table is None:
         return None
-    return next((scale for key, scale in SCALES.items() if word in table.words.get(key, ())), None)
+    return table.nouns.get(word) or next((one for key, one in SCALES.items() if word in table.words.get(key, ())), None)
 
 
 def _one_word(word: str, language: str) -> float | None:

@@ -21,7 +21,7 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     },
     "duration": {
         "us": 1e-6, "ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, "wk": 604800.0,
-        "fortnight": 1209600.0, "quarter_hour": 900.0, "three_quarter_hour": 2700.0,
+        "fortnight": 1209600.0, "quarter_hour": 900.0, "half_hour": 1800.0, "three_quarter_hour": 2700.0,
     },
     "angle": {
         "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "arcmin": math.pi / 10800,
@@ -42,7 +42,7 @@ RATES: Mapping[str, Mapping[str, float]] = {
 LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
-    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "every_other",
+    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "every", "every_other",
     "half",
     "half_of_it", "halves", "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number",
     "of", "of_a_clock", "one", "ones_first",
@@ -52,7 +52,7 @@ _WORDS = frozenset((
 """The lists of function words."""
 KEYS: Keys = {
     "units": {kind: sizes.keys() for kind, sizes in {**FACTORS, **RATES}.items()}, "words": _WORDS,
-    "parts": None, "joined": None, "speeds": None, "whole_angles": None,
+    "parts": None, "nouns": None, "joined": None, "speeds": None, "whole_angles": None,
     "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."}, "symbols": None,
 }  # fmt: skip
 """What a file may hold,"""
@@ -92,6 +92,9 @@ class Units:
     """Names of one unit of any kind that may be written for each other behind a number: "kg", "kilograms"."""
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
+
+    nouns: Mapping[str, float] = field(default_factory=dict)
+    """Nouns that are numbers, behind how many of them there are: "dozzina" -> 12."""
 
     @property
     def parts_of_one(self) -> frozenset[str]:
@@ -168,4 +171,5 @@ def units(language: str) -> Units | None:
         figures=data.get("figures", {}),
         symbols=tuple(map(tuple, data.get("symbols", ()))),
         parts=parts,
+        nouns={noun: float(value) for value, forms in data.get("nouns", {}).items() for noun in forms},
     )

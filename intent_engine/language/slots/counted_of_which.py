@@ -14,9 +14,6 @@ from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["are_of_which", "without_of_which"]
 
-_COUNTING = ("dozen", "two")
-"""Nouns that are numbers: "a dozen of the rolls", "a couple of those cups"."""
-
 
 def without_of_which(said: Utterance, language: str) -> Utterance | None:
     """An utterance without the "of the" behind its numbers; None: there is none."""
@@ -52,7 +49,7 @@ def _places(said: Utterance, language: str) -> list[tuple[int, int]]:
     table, known = units(language), thing_words(language)
     if table is None:
         return []
-    nouns = {word for key in _COUNTING for word in table.words.get(key, ())}
+    nouns = {*table.nouns, *table.words.get("two", ())}  # "a dozen of the rolls", "a couple of those cups"
     which = known.definite | (known.telling_which - known.owning)
     words, found = said.words, list[tuple[int, int]]()
     for start in range(1, len(words) - 1):

@@ -10,7 +10,7 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["is_counted_with_of", "without_of"]
 
-_NOUNS = ("two", "dozen", "million", "billion")
+_NOUNS = ("two", "million", "billion")
 
 
 def without_of(said: Utterance, language: str) -> Utterance | None:
@@ -35,7 +35,7 @@ def _places(said: Utterance, language: str) -> list[int]:
     table = units(language)
     if table is None or language == "en":  # where "a dozen of" is a number by itself
         return []
-    nouns = {word for scale in _NOUNS for word in table.words.get(scale, ())}
+    nouns = {*table.nouns, *(word for scale in _NOUNS for word in table.words.get(scale, ()))}
     words = said.words
     return [
         place

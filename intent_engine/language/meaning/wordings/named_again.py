@@ -12,6 +12,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, free_words_of, readings_of
 from intent_engine.language.meaning.wordings.nouns_before_of import NounsBeforeOf
 from intent_engine.language.meaning.wordings.nouns_of_names import NounsOfNames
+from intent_engine.language.meaning.wordings.nouns_of_numbers import NounsOfNumbers
 from intent_engine.language.meaning.wordings.nouns_of_values import NounsOfValues
 from intent_engine.language.meaning.wordings.persons_named import PersonsNamed
 from intent_engine.language.meaning.wordings.places_there import PlacesThere
@@ -32,7 +33,7 @@ class NamedAgain:
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
         self._phrases = phrases
         self._names = NamesListed(grammar, phrases.sequence)
-        others = (PersonsNamed, NounsOfValues, NounsOfNames, NounsBeforeOf, PlacesThere)
+        others = (PersonsNamed, NounsOfValues, NounsOfNames, NounsOfNumbers, NounsBeforeOf, PlacesThere)
         self._rules = (self._names, *(rule(grammar, phrases.sequence) for rule in others))
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:

@@ -18,6 +18,8 @@ class Permitted:
     def __init__(self, wording: Wording) -> None:
         self._permits = _urged(wording.permits)
         self._pleads = _urged(wording.pleads)
+        self._requests = wording.requests if wording.parted else frozenset[str]()
+        self._asked = wording.asked
 
     def ordered(self, core: Utterance, said: Utterance, *, asks: bool) -> Utterance | None:
         """The order; None: it is none.
@@ -37,6 +39,17 @@ class Permitted:
                 if begun and (urging.ends(said.words) or urging.at(said.words, length)):
                     return core.part(length, len(core))
         return None
+
+    def asks_within(self, said: Utterance, core: Utterance) -> bool:
+        """Whether a friend is asked behind a thing, of a verb that stands last: "die Hefte *kannst du* binden". Of
+        "die Hefte können sie binden" it may be told that they can.
+
+        Args:
+            said: all words.
+            core: those that say something.
+        """
+        asks = {*said.words} & self._requests - {*core.words}
+        return any(said.words[said.words.index(one) + 1 :][:1] != [who] for one in asks for who in self._asked)
 
 
 def _urged(permits: Mapping[str, frozenset[str]]) -> dict[tuple[str, ...], PhraseSet]:

@@ -19,6 +19,8 @@ __all__ = ["SaidLightly"]
 _PACES = ("speed", "angular_speed")
 _PACED = ("move", "turn", "change_speed")
 """Actions that are done at a speed."""
+_LEAST_BEFORE = 2
+"""Words of an order before such a one behind it."""
 _AMOUNTS = frozenset({*QUANTITY_KINDS, "number", "ordinal"})
 
 
@@ -37,6 +39,7 @@ class SaidLightly:
         hurries = [phrase for phrase in wording.hurries if not paces and own.isdisjoint(phrase)]
         self._hurries = PhraseSet(hurries)
         self._softens = PhraseSet((*wording.softens, *hurries))
+        self._behind = wording.softens  # none that hurries: "dos cafés más rápido" tells how
         self._vague = wording.vaguely
         self._urges = wording.urges
         self._namely = wording.namely
@@ -64,6 +67,8 @@ class SaidLightly:
         """Whether what was left out says nothing: how much or how long "a bit" is, only an amount tells; and how fast
         something is driven is no matter of hurry."""
         places = {*self._places(core, verbs)}
+        if self._softener_behind(core, verbs) and any(reading.free_words for reading in readings):
+            return False
         if any(reading.free_words for reading in readings) and not places.issuperset(self._further_on(core, verbs)):
             return False
         if self._hurries.find(core.words) and any(reading.intent.action.type in _PACED for reading in readings):
@@ -108,5 +113,24 @@ class SaidLightly:
         namely = next((at for at in range(2, len(core) - 1) if core.breaks[at] and self._namely.at(words, at)), None)
         if namely is not None and not any(core.breaks[namely + 1 :]):
             yield namely, self._namely.at(words, namely)
-        elif (last := self._urges.ends(words)) and len(core) - last > 1 and words[-last] not in verbs:
+        elif last := self._urge_behind(core, verbs) or self._softener_behind(core, verbs):
             yield len(core) - last, last
+        for at in (at for at in range(2, len(core) - 1) if core.breaks[at] and words[at] not in verbs):
+            length = self._urges.at(words, at)  # "engrasa la cadena, *anda*, que chirría"
+            if length and any(core.breaks[at + length : at + length + 1]):
+                yield at, length
+
+    def _urge_behind(self, core: Utterance, verbs: Collection[str]) -> int:
+        """Words that urge at the end of an order: "abre la puerta, *anda*"."""
+        last = self._urges.ends(core.words)
+        return last if len(core) - last > 1 and last and core.words[-last] not in verbs else 0
+
+    def _softener_behind(self, core: Utterance, verbs: Collection[str]) -> int:
+        """Words that soften an order behind the whole of it: "bind sie *noch*", "spegni il motore *pure*". None that
+        correct ("mejor"), and none behind a number, of which they may tell more."""
+        length = self._behind.ends(core.words) if core.words[0] in verbs else 0
+        at = len(core) - length
+        if not length or at < _LEAST_BEFORE or any(core.breaks[at:]) or core.words[at] in verbs:
+            return 0
+        corrects = self._phrases.correction.at(core.words, at)
+        return 0 if corrects or is_number(core.words[at - 1], self._language) else length

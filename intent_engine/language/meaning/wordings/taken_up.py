@@ -10,6 +10,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.pronoun_asked import PronounAsked
 from intent_engine.language.meaning.wordings.pronouns import NameSaid
 from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
@@ -29,10 +30,12 @@ class TakenUp:
     Args:
         grammar: whose language has articles with a pronoun for each.
         phrases: of the grammar.
-        formal: its verbs as they are told to a stranger.
+        formal: its verbs as they are told to a stranger,
+        infinitives: behind what asks,
+        asking: and as a friend is asked.
     """
 
-    def __init__(self, grammar: Grammar, phrases: Phrases, formal: Formal) -> None:
+    def __init__(self, grammar: Grammar, phrases: Phrases, formal: Formal, infinitives: Formal, asking: Formal) -> None:
         wording = grammar.wording
         self._pronouns = wording.taken_up
         self._before = wording.joined | wording.joined_first
@@ -45,6 +48,20 @@ class TakenUp:
         self._leads, self._of = wording.leads, of_words(grammar.language)
         self._language = grammar.language
         self._formal = formal
+        self._asked = PronounAsked(grammar, infinitives, asking)
+
+    def things(self, core: Utterance, said: Utterance, verbs: Collection[str]) -> Iterator[list[Utterance]]:
+        """Orders with the thing in the place of the pronoun, by :meth:`ways` and :meth:`again`; those of one thing are
+        together.
+
+        Args:
+            core: what was said, without its fillers.
+            said: all of it, also what asks for it.
+            verbs: words with which a command may begin.
+        """
+        for told in (core, *self._asked.ways(core, said)):
+            yield from ([way] for way in self.ways(told, verbs))
+            yield from self.again(told, verbs)
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Utterance]:
         """An order with what it is about behind its verb, with each article that the pronoun stands for as well.
@@ -91,7 +108,12 @@ class TakenUp:
                 return
 
     def before(
-        self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]], verbs: Collection[str]
+        self,
+        text: str,
+        core: Utterance,
+        said: Utterance,
+        before: Callable[[], Sequence[Clause]],
+        verbs: Collection[str],
     ) -> list[NameSaid]:
         """What the commands of an earlier utterance named for which the pronoun with the verb of a text may stand:
         "ferme-la", after "ouvre la porte"; its ways are texts.
@@ -102,13 +124,23 @@ class TakenUp:
         Args:
             text: what was said.
             core: its words, without those that say nothing.
+            said: all of its words.
             before: gives the earlier commands.
             verbs: words with which a command may begin.
         """
+        found = self._before_it(text, core, before, verbs)
+        for told in () if found else self._asked.ways(core, said):
+            verb, *rest = told.words
+            found += self._before_it(f"{verb}{' ' if self._is_joined else '-'}{' '.join(rest)}", told, before, verbs)
+        return found
+
+    def _before_it(
+        self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]], verbs: Collection[str]
+    ) -> list[NameSaid]:
         verb, pronoun, end = self._verb(core, 0, verbs) if self._pronouns and core.words else ("", "", 0)
-        written = f"{verb}-{pronoun}"
-        apart = not self._is_joined and end == len(core) and written not in text.lower()
-        if pronoun not in self._alone or apart or any(core.breaks[1:end]) or not self._ends(core, end):
+        written = f"{verb}-{pronoun}" in text.lower()
+        apart = not (self._is_joined or written) and (end == len(core) or not self._ends(core, end))
+        if pronoun not in self._alone or apart or any(core.breaks[1:end]):
             return []
         readings = (clause.reading.words for clause in before() if clause.reading is not None)
         names = (things for words in readings for things in self._things(words, pronoun))

@@ -95,3 +95,52 @@ def test_where_nouns_have_no_cases(engine_of, said: str, slots: list[dict[str, o
 )  # fmt: skip
 def test_where_nouns_have_no_cases_and_it_is_not_clear(engine_of, said: str) -> None:
     assert not engine_of(PRINTER).parse(said).actions
+
+
+BOTH = {
+    "de": """
+language: de
+slots: {ding: [Hefte, Plakate], zeit: duration, n: {type: number, whole: true}}
+intents:
+  falzen: {action: custom, sentences: ["falze die {ding} [{zeit} lang]"]}
+  binden: {action: custom, sentences: ["binde (die|{n}) {ding} [{zeit} lang]"]}
+  schneiden: {action: custom, sentences: ["schneide {n} {ding}"]}
+  anmachen: {action: custom, sentences: ["leg die {ding} ein"]}
+""",
+    "fr": """
+language: fr
+slots: {tissu: [laine, soie]}
+intents:
+  laver: {action: custom, sentences: ["lave la {tissu}"]}
+  repasser: {action: custom, sentences: ["repasse la {tissu}"]}
+  ouvrir: {action: custom, sentences: ["ouvre la {tissu}"]}
+  fermer: {action: custom, sentences: ["ferme la {tissu}"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("de", "falze und binde die Hefte", "falze die Hefte und binde die Hefte"),
+        ("de", "leg die Hefte ein und die Plakate auch", "leg die Hefte ein und leg die Plakate ein"),
+    ],
+)
+def test_verb_or_thing_is_said_once(engine_of, language: str, said: str, meant: str) -> None:
+    engine = engine_of(BOTH[language])
+    assert len(engine.parse(said).actions) == 2
+    assert engine.parse(said).actions == engine.parse(meant).actions
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", "falze oder binde die Hefte"),
+        ("de", "falze und binde nicht die Hefte"),
+        ("de", "leg die Hefte ein und die Plakate"),
+        ("de", "leg die Hefte ein und die Plakate auch nicht"),
+        ("fr", "lave et ne repasse pas la laine"),
+    ],
+)
+def test_where_it_is_not_clear_of_which_nothing_is_done(engine_of, language: str, said: str) -> None:
+    assert not engine_of(BOTH[language]).parse(said).actions
