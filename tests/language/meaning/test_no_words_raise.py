@@ -104,3 +104,43 @@ intents: {{weigh: {{action: custom, sentences: ["{sentence}"]}}}}
 def test_a_way_that_is_left_out_of_what_was_moved_ends_no_word_of_it(text: str) -> None:
     """What is moved ends at its last word, of which none may be there where "back" says no more."""
     assert engine("grammars/en.yaml").parse(text).status is not Status.INCOMPLETE
+
+
+HOUSES = {
+    "en": ("turn on the {thing}", "lamp, pump", "turn on the lamp"),
+    "de": ("schalte die {thing} ein", "Lampe, Pumpe", "schalte die Lampe ein"),
+    "fr": ("allume la {thing}", "lampe, pompe", "allume la lampe"),
+    "es": ("enciende la {thing}", "lámpara, bomba", "enciende la lámpara"),
+    "it": ("accendi la {thing}", "lampada, pompa", "accendi la lampada"),
+}
+
+
+@pytest.mark.parametrize("language", HOUSES)
+def test_what_is_said_behind_a_command_is_understood_or_not(engine_of, language: str) -> None:
+    """By itself each word that may point back or change what was said, and a few of them together."""
+    sentence, things, command = HOUSES[language]
+    house = engine_of(f"""
+language: {language}
+slots: {{thing: [{things}], n: {{type: number, max: 9}}}}
+intents: {{on: {{action: custom, sentences: ["{sentence}", "{sentence.split()[0]} {{n}}"]}}}}
+""")
+    last = house.parse(command)
+    assert last.actions
+    known = house.grammar
+    operators = (getattr(known.operators, field.name) for field in fields(known.operators))
+    phrases = {" ".join(one) if isinstance(one, tuple) else one for some in operators for one in some}
+    small = (getattr(thing_words(language), field.name) for field in fields(thing_words(language)))
+    phrases |= {word for some in small if isinstance(some, frozenset) for word in some if isinstance(word, str)}
+    phrases |= {*command.split(), "2"}
+    for phrase in phrases:
+        for heard in (False, True):
+            found = house.parse(phrase, last=last, heard=heard)
+            assert bool(found.actions) == (found.status is Status.ACCEPTED)
+
+    @settings(max_examples=150)
+    @given(st.lists(st.sampled_from(sorted(phrases)), min_size=2, max_size=4))
+    def check(some):
+        found = house.parse(" ".join(some), last=last)
+        assert bool(found.actions) == (found.status is Status.ACCEPTED)
+
+    check()

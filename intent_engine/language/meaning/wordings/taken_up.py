@@ -138,9 +138,10 @@ class TakenUp:
         self, text: str, core: Utterance, before: Callable[[], Sequence[Clause]], verbs: Collection[str]
     ) -> list[NameSaid]:
         verb, pronoun, end = self._verb(core, 0, verbs) if self._pronouns and core.words else ("", "", 0)
+        if pronoun not in self._alone or any(core.breaks[1:end]):
+            return []
         written = f"{verb}-{pronoun}" in text.lower()
-        apart = not (self._is_joined or written) and (end == len(core) or not self._ends(core, end))
-        if pronoun not in self._alone or apart or any(core.breaks[1:end]):
+        if not (self._is_joined or written) and (end == len(core) or not self._ends(core, end)):
             return []
         readings = (clause.reading.words for clause in before() if clause.reading is not None)
         names = (things for words in readings for things in self._things(words, pronoun))
