@@ -35,6 +35,7 @@ class PronounAsked:
         self._pronouns = {pronoun: [pronoun] for found in taken_up.values() for pronoun in found}
         short = {article: sorted(found) for article, found in taken_up.items() if len(article) == 1}
         self._pronouns |= {} if wording.joined else short  # "l'éteindre" is with "le" or "la"
+        self._ends = tuple(self._pronouns)
         self._whom = wording.for_whom_before | wording.joined_first
         self._joined = wording.joined
         self._before = wording.joined | wording.joined_first
@@ -57,8 +58,9 @@ class PronounAsked:
         if 0 < wish < len(core):
             core, said = core.part(wish, len(core)), _NOTHING
         for at, word in enumerate(core.words if self._pronouns else ()):
-            for verb, pronoun in self._together(word) if self._joined else ():
-                if (told := self._told(verb)) and self._is_asked(word, core, said):
+            may_be_both = self._joined and word.endswith(self._ends) and self._is_asked(word, core, said)
+            for verb, pronoun in self._together(word) if may_be_both else ():
+                if told := self._told(verb):
                     yield core.with_other(at, at + 1, self._as_told(told, pronoun))
             if word not in self._pronouns or at + 1 == len(core) or any(core.breaks[at + 1 : at + 2]):
                 continue
