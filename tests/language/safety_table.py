@@ -776,6 +776,10 @@ NO_NAME = {
     "take it": "pick it",
     # Particles of the verb, and what one becomes.
     "take back control": NOTHING,
+    # Two things are not one, and which are "both" nobody knows.
+    "take both": NOTHING,
+    "pick up both cups": NOTHING,
+    "bring me both of them": NOTHING,
     "take down the wall": NOTHING,
     "take up smoking": NOTHING,
     "lift the box up": "pick box",
