@@ -55,7 +55,7 @@ class FreeText:
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         both = {phrase[0] for phrase in grammar.wording.both_of}  # "both the cup and the plate" are two things
-        self._begins_none_known = self.no_beginning | both
+        self._begin_none = self.no_beginning | both
         self._whither = words.joining.intersection(words.contracted) | both
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
@@ -95,9 +95,7 @@ class FreeText:
             return f"{word!r} leaves open which is meant in {' '.join(said)!r}; say one of them"
         if said and not slot.dictation:  # a title may begin with "and", no thing does
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
-        begun = (
-            self._begins_none_known if slot.known else self._whither if self._names_a_thing(slot) else frozenset[str]()
-        )
+        begun = self._begin_none if slot.known else self._whither if self._names_a_thing(slot) else frozenset[str]()
         if said and said[0] in begun and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and not wrong and self._names_a_thing(slot):
