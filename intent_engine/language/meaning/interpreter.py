@@ -85,7 +85,7 @@ class Interpreter:
         self._fillers = FillersOrWords(phrases, self._commands, self._meant)
         self._numbers = made(NumbersInPieces(phrases, self.matcher))
         self._taken_otherwise = TakenOtherwise(phrases, self._commands, self._awake, self._meant)
-        self._hesitations = Hesitations(phrases, self._compounds)
+        self._hesitations = Hesitations(self.matcher, phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections, other_words))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))

@@ -1,9 +1,12 @@
-"""Two commands of one kind with nothing but an "uh" between them: both, or the second in the place of the first?"""
+"""Two commands of one kind with nothing but an "uh" between them: both, or the second in the place of the first? So it
+is with a verb alone before the "uh", of a command that may be longer: "move, uh, turn left"."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 
+from intent_engine.actions import Stop
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.phrases import Phrases
@@ -15,13 +18,15 @@ __all__ = ["Hesitations"]
 class Hesitations:
     """What may have been said anew behind a hesitation: "turn left, uh, right"."""
 
-    def __init__(self, phrases: Phrases, compounds: Compounds) -> None:
+    def __init__(self, matcher: Matcher, phrases: Phrases, compounds: Compounds) -> None:
+        self._strict = matcher.strict
         self._phrases = phrases
         self._compounds = compounds
 
     def or_either(self, parts: list[Clause], said: Utterance, state: Collection[str]) -> list[Clause]:
         """The commands of an utterance; or the one clause that asks, where one of them may take the place of the one
-        before: they do the same kind of thing, and a hesitation but no joint stands between them.
+        before: they do the same kind of thing, or that is a verb alone, and a hesitation but no joint stands between
+        them.
 
         Args:
             parts: commands that were understood.
@@ -42,9 +47,17 @@ class Hesitations:
                 continue
             last, first = self._commands(before, state)[-1:], self._commands(after, state)[:1]
             for one, other in zip(last, first, strict=False):
-                if _of_one_kind(one, other):
+                if _of_one_kind(one, other) or self._may_be_left(one, other):
                     return [_asks(one, other)]
         return parts
+
+    def _may_be_left(self, one: Clause, other: Clause) -> bool:
+        """Whether the first is a verb that more may follow, and may have been left for the second. A stop never is."""
+        alone = one.reading is not None and len(one.reading.words) == 1 and not one.reading.slots
+        if one.reading is None or not alone or Stop in (type(one.action), type(other.action)):
+            return False
+        _, reached = self._strict.walk(one.reading.words)
+        return reached is not None and bool(self._strict.next_words(reached))
 
     def _is_joined(self, before: Utterance, after: Utterance) -> bool:
         sequence = self._phrases.sequence

@@ -44,6 +44,25 @@ def test_an_uh_elsewhere_tells_nothing(said: str) -> None:
     assert len(shipped().parse(said).actions) == 2
 
 
+@given(st.sampled_from(["move", "drive", "turn left, move"]), TURNS, HESITATIONS)
+def test_a_verb_alone_may_have_been_left(first: str, second: str, hesitation: str) -> None:
+    found = shipped().parse(f"{first}, {hesitation}, {second}")
+    assert found.status is Status.AMBIGUOUS
+    answer = shipped().parse(second, last=found)
+    assert [type(action) for action in answer.actions] == [type(shipped().parse(second).actions[0])]
+
+
+@pytest.mark.parametrize("said", ["stop, uh, turn left", "go, um, stop", "move, uh, stop"])
+def test_a_stop_is_asked_about_beside_no_verb(said: str) -> None:
+    assert shipped().parse(said).stops
+
+
+@pytest.mark.parametrize("said", ["move and, uh, turn left", "move, turn left", "move, uh", "wave, uh, turn left"])
+def test_a_verb_that_was_not_left_is_done(engine_of, said: str) -> None:
+    waves = "language: en\ninclude: [en]\nintents: {wave: {action: custom, sentences: [wave]}}\n"
+    assert engine_of(waves).parse(said).status is Status.ACCEPTED
+
+
 @pytest.mark.parametrize("said", ["fahr links, äh, rechts", "fahr zwei Meter vor, ähm, fahr einen Meter zurück"])
 def test_in_german(said: str) -> None:
     assert german().parse(said).status is Status.AMBIGUOUS
