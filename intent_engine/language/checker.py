@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.errors import Problem
 from intent_engine.interpretation import Status
 from intent_engine.language.checking.grammar_figures import Size, grammar_size
+from intent_engine.language.checking.lost_opposites import lost_opposites
 from intent_engine.language.checking.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
 from intent_engine.language.checking.slot_notes import slot_notes
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Place, Sentence, problem_at
@@ -104,6 +105,7 @@ def check_grammar(grammar: Grammar, locations: LocationMap | None) -> Report:
     findings += met.findings()
     findings += [Finding(*found) for found in pattern_findings(grammar, locations)]
     findings += [Finding("warning", "alike", problem) for problem in _alike_values(grammar)]
+    findings += [Finding("warning", "slot", problem) for problem in lost_opposites(grammar)]
     findings += [Finding("note", "slot", problem) for problem in slot_notes(grammar)]
     if locations is not None:
         findings += [Finding("warning", "file", problem) for problem in locations.warnings]
