@@ -54,22 +54,29 @@ def goes_on_from(
     return replace(whole, intent=intent, slots=slots, actions=more, needs=needs, goes_on=True)
 
 
-def as_joined(text: str, joints: Sequence[tuple[str, ...]], ends: PhraseSet, language: str) -> str:
+def as_joined(
+    text: str, joints: Sequence[tuple[str, ...]], ends: PhraseSet, language: str, opens: PhraseSet | None = None
+) -> str:
     """A text as it is said behind what was said before: with one of the joints before it, which it begins with, or
-    which is meant by how it ends: "the fan *too*" is "and the fan". Empty: it has neither.
+    which is meant by how it ends or begins: "the fan *too*" is "and the fan", "*now* the fan" "and, now the fan".
+    Empty: it has neither.
 
     Args:
         text: what is said.
         joints: words that join, of which the first is put in.
         ends: what ends a text that is joined, and says no more.
         language: of the text.
+        opens: what begins a text that is joined.
     """
-    begins = PhraseSet(joints).at(Utterance.of(text, language).words, 0) > 0
+    said = Utterance.of(text, language).words
+    begins = PhraseSet(joints).at(said, 0) > 0
     words = text.rstrip(" .!").split()
     for count in range(1, len(words)):
         if tuple(word.casefold() for word in words[-count:]) in ends:
             rest = " ".join(words[:-count]).rstrip(" ,")
             return rest if begins else f"{' '.join(joints[0])} {rest}" if joints else ""
+    if not begins and joints and opens is not None and opens.at(said, 0):
+        return f"{' '.join(joints[0])}, {text}"
     return text if begins else ""
 
 

@@ -130,9 +130,7 @@ class Understanding(Generic[_Parser]):
         for parser in self._typed_behind(text):
             grammar = parser.matcher.grammar
             joints, wording = grammar.operators.sequence, grammar.wording
-            more = as_joined(text, joints, wording.besides, grammar.language)
-            if not more and joints and wording.turns_to.at(Utterance.of(text, grammar.language).words, 0):
-                more = f"{' '.join(joints[0])} {text}"  # "now the fan": "and now the fan"
+            more = as_joined(text, joints, wording.besides, grammar.language, wording.turns_to)
             parted = thing_words(grammar.language).alone.union(wording.parted)
             meaning = partial(self._resolved, parser)
             if more and (found := goes_on_from(more, done, self._before or (), meaning, parted)) is not None:
@@ -144,9 +142,8 @@ class Understanding(Generic[_Parser]):
         for parser in self._typed_behind(text):
             grammar = parser.matcher.grammar
             correction, wording = grammar.operators.correction, grammar.wording
-            other = as_joined(text, correction, wording.in_its_place, grammar.language)
-            if not other and correction and PhraseSet(wording.excludes).at(Utterance.of(text).words, 0):
-                other = f"{' '.join(correction[0])}, {text}"  # "not the lab, the hall": "no, not the lab, the hall"
+            excludes = PhraseSet(wording.excludes)  # "not the lab, the hall" is "no, not the lab, the hall"
+            other = as_joined(text, correction, wording.in_its_place, grammar.language, excludes)
             listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
             meaning = partial(self._resolved, parser)
             if not other or may_forbid(other, grammar, meaning):

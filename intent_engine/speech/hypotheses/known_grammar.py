@@ -65,6 +65,8 @@ class KnownGrammar:
     own: frozenset[str]
     """and those in which sentences are written."""
     in_slots: frozenset[str]
+    letters: frozenset[str]
+    """Single letters in its sentences, lists and names, those of codes among them: "b" of "B3"."""
     as_written: Mapping[str, str]
     search: UtteranceSearch
     usual: UsualNumbers
@@ -81,6 +83,7 @@ class KnownGrammar:
     def of(cls, matcher: Matcher) -> KnownGrammar:
         """What the grammar and the map of a matcher have."""
         grammar, words = matcher.grammar, known_words(matcher)
+        own, in_slots = frozenset(vocabulary(grammar)), known_in_slots(matcher)
         operators = grammar.operators
         asked = [intent.min_confidence for intent in grammar.intents.values()]
         return cls(
@@ -99,8 +102,9 @@ class KnownGrammar:
             empty=PhraseSet((*grammar.fillers, *grammar.around)),
             leading=PhraseSet((*grammar.fillers, *operators.opening)),
             small=small_words(grammar.wording, grammar.language),
-            own=frozenset(vocabulary(grammar)),
-            in_slots=known_in_slots(matcher),
+            own=own,
+            in_slots=in_slots,
+            letters=frozenset(word for word in own | in_slots if len(word) == 1 and word.isalpha()),
             as_written=words_as_written(matcher),
             search=UtteranceSearch(matcher.likely, words),
             usual=UsualNumbers(grammar),
@@ -128,11 +132,6 @@ class KnownGrammar:
             found = self.search.nearest(heard, CANDIDATES, self.narrating, wider=wider, begin=begin)
             self.found[heard, wider, begin] = found
         return found
-
-    @property
-    def letters(self) -> frozenset[str]:
-        """Single letters in its sentences, lists and names, those of codes among them: "b" of "B3"."""
-        return frozenset(word for word in self.own | self.in_slots if len(word) == 1 and word.isalpha())
 
     def besides(self, words: Sequence[str], meaning: Interpretation) -> frozenset[str]:
         """Words that a sentence may have besides those of the grammar, since it is put in a certain way."""
