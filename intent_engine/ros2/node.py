@@ -28,7 +28,6 @@ from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.needs import MOVING
-from intent_engine.resources import find
 from intent_engine.ros2.best_effort import HearAll
 from intent_engine.ros2.clock import RosClock, sent_at
 from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
@@ -69,10 +68,7 @@ class VoiceCommands:
         """The last text that was a command."""
         self._last = LastSaid(lambda: self.engine.grammars)
         self._asked = LastAsked()
-        self.engine = IntentEngine.from_files(
-            [find("grammars", name) for name in parameters.grammar],
-            locations=[find("locations", name) for name in parameters.locations],
-        )
+        self.engine = IntentEngine.from_files(parameters.grammar, locations=parameters.locations)
         states = States(self.engine.states).with_parameter(parameters.states)
         self._warm_up()
         self._commands = node.create_publisher(String, "voice_commands/command", 10)

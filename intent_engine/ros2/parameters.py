@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from pathlib import Path
 from typing import Any, TypeVar
 
 from intent_engine.errors import ConfigError, Problem
@@ -16,7 +17,7 @@ from intent_engine.execution.robots.robot_file import RobotFile, load_robot
 from intent_engine.execution.robots.ros2_navigation import NavigationWay
 from intent_engine.execution.robots.ros2_velocity import Stamped
 from intent_engine.hints import did_you_mean
-from intent_engine.resources import find
+from intent_engine.resources import default_locations, find
 from intent_engine.ros2.messages import CommandForm
 from intent_engine.ros2.robot_states import PARAMETER, state_names
 
@@ -90,12 +91,13 @@ class Parameters:
             self._wrong(name, value, f"one of {known}")
             return default
 
-    def language(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Grammar files and map files, which every node of ours takes."""
-        return (
-            self.texts("grammar", "en", "Grammar file, or the name of a shipped one"),
-            self.texts("locations", "home", "Map file, or the name of a shipped one"),
-        )
+    def language(self) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
+        """Grammar files and map files, which every node of ours takes; without a map, that of the home in the
+        grammar's language."""
+        grammars = self._files("grammars", self.texts("grammar", "en", "Grammar file, or the name of a shipped one"))
+        meaning = "Map file, or the name of a shipped one; empty: the home in the grammar's language"
+        named = [name for name in self.texts("locations", "", meaning) if name]
+        return grammars, self._files("locations", named) if named else tuple(default_locations(grammars))
 
     def states(self) -> frozenset[str]:
         """States that the robot is in, which may be set while the node runs; whether the grammar asks for them is not
@@ -133,6 +135,15 @@ class Parameters:
         descriptor = ParameterDescriptor(description=meaning, read_only=read_only, dynamic_typing=True)
         return self._node.declare_parameter(name, default, descriptor).value
 
+    def _files(self, kind: str, names: Iterable[str]) -> tuple[Path, ...]:
+        found = []
+        for name in names:
+            try:
+                found.append(find(kind, name))
+            except ConfigError as error:
+                self.problems += error.problems
+        return tuple(found)
+
     def _wrong(self, name: str, value: Any, wanted: str) -> None:
         self.problems.append(
             Problem(f"parameter {name}: {value!r} is not {wanted}", hint=f"ros2 run ... -p {name}:=...")
@@ -143,8 +154,8 @@ class Parameters:
 class NodeParameters:
     """What the node ``intent_engine`` was told."""
 
-    grammar: tuple[str, ...]
-    locations: tuple[str, ...]
+    grammar: tuple[Path, ...]
+    locations: tuple[Path, ...]
     robot: RobotFile
     """Limits, rates, policies and capabilities; of a robot file, with what parameters say in their place."""
     stamped: Stamped

@@ -14,6 +14,7 @@ import threading
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.engine import IntentEngine
@@ -25,7 +26,6 @@ from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.pauses import avoid_pauses
-from intent_engine.resources import find
 from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, run_script
@@ -120,8 +120,8 @@ def _busy(action: Action, context: HandlerContext) -> None:
 class SpeechParameters:
     """What the node ``speech`` was told."""
 
-    grammar: tuple[str, ...]
-    locations: tuple[str, ...]
+    grammar: tuple[Path, ...]
+    locations: tuple[Path, ...]
     model: str
     """Of Whisper: a name or a folder; empty: tiny.en for English, base for other languages."""
     second_model: str
@@ -184,10 +184,7 @@ class Speech:
         """Of the robot. What is understood here must be what is understood there, or what is not believed here would be
         done there."""
         parameters = read_parameters(node)
-        self._engine = IntentEngine.from_files(
-            [find("grammars", name) for name in parameters.grammar],
-            locations=[find("locations", name) for name in parameters.locations],
-        )
+        self._engine = IntentEngine.from_files(parameters.grammar, locations=parameters.locations)
         source = self._source(parameters)
         recognizer, reflex = self._ears(parameters)
         self._publishers = {

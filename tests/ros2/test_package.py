@@ -11,6 +11,8 @@ from importlib import import_module
 import pytest
 import yaml
 
+from intent_engine.errors import ConfigError
+
 
 @pytest.fixture(scope="module")
 def package(root):
@@ -107,6 +109,24 @@ def test_nothing_in_the_parameter_file_goes_before_a_robot_file(package):
     assert not shared & set(data["/**/intent_engine"]["ros__parameters"])
 
 
+def read(name, given):
+    """What a node of that name reads from parameters that are given."""
+    import rclpy
+    from rclpy.parameter import Parameter
+
+    from intent_engine.ros2 import parameters, speech
+
+    context = rclpy.Context()
+    rclpy.init(args=[], context=context)
+    overrides = [Parameter(each, value=value) for each, value in given.items()]
+    node = rclpy.create_node(name, context=context, parameter_overrides=overrides)
+    try:
+        return {"intent_engine": parameters.read_parameters, "speech": speech.read_parameters}[name](node)
+    finally:
+        node.destroy_node()
+        rclpy.shutdown(context=context)
+
+
 @pytest.mark.ros2
 @pytest.mark.parametrize(
     ("file", "asked", "found", "over"),
@@ -120,25 +140,39 @@ def test_nothing_in_the_parameter_file_goes_before_a_robot_file(package):
     ],
 )
 def test_a_parameter_makes_the_limit_of_a_robot_file_less_and_never_more(tmp_path, file, asked, found, over):
-    import rclpy
-    from rclpy.parameter import Parameter
-
-    from intent_engine.ros2.parameters import read_parameters
-
-    context = rclpy.Context()
-    rclpy.init(args=[], context=context)
     given = {"max_linear": asked} if asked is not None else {}
     if file is not None:
         given["robot"] = str(tmp_path / "robot.yaml")
         (tmp_path / "robot.yaml").write_text(f"name: mine\n{file}\n")
-    overrides = [Parameter(name, value=value) for name, value in given.items()]
-    node = rclpy.create_node("intent_engine", context=context, parameter_overrides=overrides)
-    try:
-        limits = read_parameters(node).robot.limits
-    finally:
-        node.destroy_node()
-        rclpy.shutdown(context=context)
+    limits = read("intent_engine", given).robot.limits
     assert (limits.linear_velocity, limits.over_each.get("linear_velocity", limits.over)) == (found, over)
+
+
+@pytest.mark.ros2
+@pytest.mark.parametrize(
+    ("given", "found"),
+    [
+        ({}, ["home.yaml"]),
+        ({"grammar": "de"}, ["zuhause.yaml"]),
+        ({"grammar": ["de", "en"]}, ["zuhause.yaml", "home.yaml"]),
+        ({"grammar": "de", "locations": ""}, ["zuhause.yaml"]),
+        ({"grammar": "de", "locations": "home"}, ["home.yaml"]),
+    ],
+)
+@pytest.mark.parametrize("name", ["intent_engine", "speech"])
+def test_without_a_map_it_is_the_home_in_the_language_of_the_grammar(name, given, found):
+    assert [file.name for file in read(name, given).locations] == found
+
+
+@pytest.mark.ros2
+@pytest.mark.parametrize("name", ["intent_engine", "speech"])
+def test_files_that_are_missing_are_told_together(name):
+    with pytest.raises(ConfigError) as told:
+        read(name, {"grammar": "klingon", "locations": "moon"})
+    assert [problem.message for problem in told.value.problems] == [
+        "no file klingon.yaml in grammars/",
+        "no file moon.yaml in locations/",
+    ]
 
 
 @pytest.mark.ros2
