@@ -12,6 +12,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.language.networks.word_state import WordState
@@ -102,7 +103,8 @@ def _written(matcher: Matcher, said: Utterance) -> Iterator[list[str]]:
 
 def _as_understood(interpreter: Interpreter, text: str, said: Utterance) -> list[str] | None:
     """The words of a command with one that only sounds like a word of the grammar as that: "go back four meters", heard
-    as "go back for meters". None: it is no command, or not understood so."""
+    as "go back for meters"; or with the article of the grammar: "take a lamp" of one that has "take the lamp". None: it
+    is no command, or not understood so."""
     meaning = interpreter.interpret(text, spoken=True)
     if meaning.status is not Status.ACCEPTED:
         return None
@@ -116,10 +118,17 @@ def _as_understood(interpreter: Interpreter, text: str, said: Utterance) -> list
 
 
 def _otherwise(matcher: Matcher, words: Sequence[str], known: int) -> Iterator[list[str]]:
-    """The words, each time with one of the last known ones as another that sounds like it."""
+    """The words, each time with one of the last known ones as another that sounds like it, or another article."""
+    articles = thing_words(matcher.grammar.language).articles
     for place in range(min(known, len(words) - 1), -1, -1):
-        for other in matcher.alikes.get(words[place], ()):
-            yield [*words[:place], other, *words[place + 1 :]]
+        behind = words[place:]
+        for other in matcher.alikes.get(behind[0], ()):
+            yield [*words[:place], other, *behind[1:]]
+        if place == known and behind[0] not in articles:
+            yield from ([*words[:place], article, *behind] for article in articles)
+        elif behind[0] in articles:
+            yield [*words[:place], *behind[1:]]
+            yield from ([*words[:place], article, *behind[1:]] for article in articles - {behind[0]})
 
 
 def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:

@@ -16,7 +16,7 @@ from intent_engine.language.networks.network import Call, Edge, Networks, State
 from intent_engine.language.networks.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.networks.utterance_network import UtteranceNetwork
 from intent_engine.language.networks.word_state import Trace, WordState
-from intent_engine.language.numbers.english_words import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import DOZENS, NUMBER_WORDS
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
@@ -192,7 +192,9 @@ class Matcher:
         following = self.begun.next_words(reached) if reached is not None else ()
         table = units(self.grammar.language)
         joining = table.words["and"] if table is not None else ()
-        return [word for word in following if word in joining or self._of_a_number(word)]
+        # Nobody rests before the noun of "two dozen".
+        nouns = (*DOZENS, *(table.nouns if table is not None else ()))
+        return [word for word in following if word in joining or (self._of_a_number(word) and word not in nouns)]
 
     def _of_a_number(self, word: str) -> bool:
         """Whether a word may be one of a number: of the language, or English."""

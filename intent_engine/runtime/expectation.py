@@ -8,6 +8,7 @@ from intent_engine.actions import Custom
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.context.references import Before
 from intent_engine.language.utterance import plain
+from intent_engine.language.words.thing_words import thing_words
 from intent_engine.prefix import PrefixStatus
 from intent_engine.runtime.amending import can_be_amended
 from intent_engine.runtime.judgement import Judge
@@ -63,13 +64,16 @@ class Expectation:
             rests = prefix.resting or self._as_like_unfinished(transcript, language)
             # The speed of what a user's program does is a value like any other.
             told = prefix.settled and not (prefix.manner and any(isinstance(one, Custom) for one in meaning.actions))
+            closed = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
+            if not told and closed and not amended and self.wait(transcript, meaning) is None:
+                # Behind "please" comes no more of a command, though it could have gone on before.
+                return meaning, Outlook.SETTLED
             if not told or (rests and not amended):
                 # What cannot be put right is waited for one step longer, and so is what was hardly heard.
                 longer = (not amended) + _hardly_heard(transcript)
                 return meaning, (Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL)[longer]
             # "Take up", before a "picture", is like "take off", which nothing can follow.
-            over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
-            return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
+            return meaning, Outlook.COMPLETE if closed or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
     def _as_like_unfinished(self, transcript: Transcript, language: str | None) -> bool:
@@ -79,11 +83,13 @@ class Expectation:
             return False
         said, heard = (self._spoken.words(text, language) for text in (transcript.text, transcript.free_text))
         apart = letters_apart(said, heard) if heard else -1.0
+        # Nobody rests behind an article.
+        articles = thing_words(grammar_of(self._engine, transcript).language).articles
         return any(
             letters_apart([*begun, word], heard) <= apart and self._begins_only([*begun, word], language)
             for begun in (said[:count] for count in range(max(1, len(said) - LAST_WORDS), len(said)))
             for word in self._engine.prefix(" ".join(begun), language=language, spoken=True).next_words
-            if word[0] != "<"
+            if word[0] != "<" and word not in articles
         )
 
     def _begins_only(self, words: Sequence[str], language: str | None) -> bool:

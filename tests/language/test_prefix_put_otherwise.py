@@ -8,6 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine, PrefixStatus
+from intent_engine.interpretation import Status
 
 WHOLE = (PrefixStatus.COMPLETE, PrefixStatus.EXTENDABLE)
 HOUSE = """
@@ -227,3 +228,18 @@ def test_units_for_short_in_german(engine_of) -> None:
         PrefixStatus.COMPLETE,
         PrefixStatus.INCOMPLETE,
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("open a door", PrefixStatus.COMPLETE),
+        ("turn on a lamp", PrefixStatus.EXTENDABLE),
+        ("turn on my lamp in the hall", PrefixStatus.COMPLETE),
+        ("open an", PrefixStatus.IMPOSSIBLE),  # only whole commands are read so
+        ("open a kitchen", PrefixStatus.IMPOSSIBLE),
+    ],
+)
+def test_a_command_with_another_article_ends_as_with_that_of_the_grammar(house, text, status):
+    assert house.prefix(text, spoken=True).status is status
+    assert (status in WHOLE) is (house.parse(text).status is Status.ACCEPTED)

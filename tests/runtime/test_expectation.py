@@ -142,12 +142,61 @@ def test_what_is_as_like_an_unfinished_sentence_is_waited_for(engine_of, text, f
     assert expected(Judge(engine_of(HOTEL)), heard)[1] is outlook
 
 
+LIBRARY = """
+slots:
+  shelf: {type: number, whole: true, min: 1, max: 250}
+  what: {type: choice, values: ["on", "off"]}
+intents:
+  count: {action: custom, sentences: ["count the books on shelf {shelf}"]}
+  scan: {action: custom, sentences: ["scan the shelf [with flash]"]}
+  vacuum: {action: custom, sentences: ["turn the vacuum {what}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "outlook"),
+    [
+        ("count the books on shelf eight", Outlook.SETTLED),  # "eight dozen" is said in one piece
+        ("count the books on shelf nineteen", Outlook.SETTLED),
+        ("count the books on shelf two", Outlook.EXTENDABLE),  # hundred
+        ("count the books on shelf twenty", Outlook.EXTENDABLE),
+        ("count books on a shelf", Outlook.OTHER),
+        ("scan the shelf", Outlook.EXTENDABLE),
+        ("scan a shelf", Outlook.EXTENDABLE),
+        ("scan a shelf with flash", Outlook.COMPLETE),
+        ("scan the shelf please", Outlook.SETTLED),
+        ("scan the shelf with flash please", Outlook.COMPLETE),
+    ],
+)
+def test_what_is_said_whole_is_not_waited_for(engine_of, text, outlook):
+    heard = Transcript(text, 0.0, text, confidence=1.0)
+    assert expected(Judge(engine_of(LIBRARY)), heard)[1] is outlook
+
+
+def test_please_that_was_hardly_heard_ends_nothing(engine_of):
+    heard = Transcript("scan the shelf please", CLEARLY, "scan the shelf wit flees", gap=0.1, confidence=0.9)
+    assert expected(Judge(engine_of(LIBRARY)), heard)[1] is Outlook.EXTENDABLE
+
+
+def test_nobody_rests_behind_an_article(engine_of):
+    """ "Turn the vacuum a" is as like "turn the machumov", but nobody is silent there."""
+    heard = Transcript("turn the vacuum off", CLEARLY, "turn the machumov", gap=0.1, confidence=0.9)
+    assert expected(Judge(engine_of(LIBRARY)), heard)[1] is Outlook.SETTLED
+    cut = Transcript("turn the vacuum off", CLEARLY, "turn the vacuum", gap=0.1, confidence=0.9)
+    assert expected(Judge(engine_of(LIBRARY)), cut)[1] is Outlook.EXTENDABLE
+
+
 OWN_WAITS = """
 intents:
   order: {action: {type: custom, name: order}, sentences: ["a latte [with milk]"], wait: 450 ms}
   wave: {action: {type: custom, name: wave}, sentences: ["wave [at me]"], wait: 0.2}
   bow: {action: {type: custom, name: bow}, sentences: ["bow [low]"]}
 """
+
+
+def test_who_waits_longer_waits_behind_please_as_well(engine_of):
+    heard = Transcript("a latte please", 0.0, "a latte please", confidence=1.0)
+    assert expected(Judge(engine_of(OWN_WAITS)), heard)[1] is Outlook.EXTENDABLE
 
 
 @pytest.mark.parametrize(

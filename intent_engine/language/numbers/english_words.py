@@ -51,6 +51,8 @@ SIGNS = frozenset(("minus", "negative", "plus"))
 """Before a number they say on which side of zero it is."""
 
 SMALL = {**DIGITS, **TEENS, **TENS}
+DOZENS = ("dozen", "dozens")
+"""The noun that counts: what is said of it is said in one piece, "two dozen"."""
 NUMBER_WORDS = frozenset(
     (
         *SMALL,
@@ -58,8 +60,7 @@ NUMBER_WORDS = frozenset(
         *SCALES,
         "hundred",
         "hundreds",
-        "dozen",
-        "dozens",
+        *DOZENS,
         "point",
         "half",
         "quarter",
