@@ -46,8 +46,8 @@ class Prefix:
     known_words: int = 0
     """How many of the words could be followed."""
     settled: bool = False
-    """A whole command of which further words could only change the manner, as a speed does: what is to be done is
-    said."""
+    """A whole command of which further words could only change the manner, as a speed does, or nothing at all: what is
+    to be done is said."""
     manner: bool = False
     """A whole command that may go on to a speed."""
     resting: bool = False
@@ -74,10 +74,20 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
             return Prefix(PrefixStatus.EXTENDABLE, (), len(words))
         return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
     status = _status(matcher, reached)
-    settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
+    settled = status is not PrefixStatus.INCOMPLETE and (matcher.settled(words) or _says_it_all(interpreter, words))
     resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
     manner = status is PrefixStatus.EXTENDABLE and matcher.tells_manner(words)
     return Prefix(status, _next_words(matcher, reached), count, settled, manner, resting)
+
+
+def _says_it_all(interpreter: Interpreter, words: Sequence[str]) -> bool:
+    """Whether a whole command does the same with each end that its sentence may have: "show me the history", and
+    "section"."""
+    endings = interpreter.matcher.endings(words)
+    if not endings:
+        return False
+    meanings = [interpreter.interpret(" ".join([*words, *ending]), spoken=True) for ending in ((), *endings)]
+    return all(one.status is Status.ACCEPTED and one.actions == meanings[0].actions for one in meanings)
 
 
 def _next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ on to "slowly", which changes the manner and not the way. The automaton knows wh
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from enum import IntEnum
 
 from intent_engine.language.grammar import QUANTITY_KINDS
@@ -14,6 +14,8 @@ from intent_engine.language.networks.network import Edge, Networks, State
 
 __all__ = ["MANNER", "Continuation", "Continuations"]
 
+MOST_ENDINGS, MOST_STEPS = 8, 256
+"""Ends of sentences that are looked at, and places on the way to them."""
 MANNER = frozenset({"speed", "angular_speed"})
 """Types of slots that say how something is done."""
 
@@ -55,6 +57,49 @@ class Continuations:
         """
         with self._lock:
             return frozenset(one for place, calls in ways for one in self._after(place, calls))
+
+    def endings(
+        self, ways: Iterable[tuple[State, Sequence[tuple[State, object, bool]]]]
+    ) -> frozenset[tuple[str, ...]] | None:
+        """The words that a sentence may still end with, where they fill no slot: "section" after "show me the history",
+        of which the sentence is over without it.
+
+        Args:
+            ways: where some words have led to, from :meth:`Automaton.ways_on`.
+
+        Returns:
+            Those of all ways; None: there are too many.
+        """
+        found: set[tuple[str, ...]] = set()
+        with self._lock:
+            # Places to go on from, with those that their networks return to, and the words on the way.
+            waiting: list[tuple[State, tuple[tuple[State, bool], ...], tuple[str, ...]]] = [
+                (place, tuple((returns, self._is_slot(mark)) for returns, mark, _ in calls), ())
+                for place, calls in ways
+            ]
+            for _ in range(MOST_STEPS):
+                if not waiting:
+                    break
+                place, calls, said = waiting.pop()
+                if place.final and calls:
+                    waiting.append((calls[0][0], calls[1:], said))
+                elif place.final:
+                    found.add(said)
+                waiting += [(edge.target, calls, said) for edge in place.edges if edge.call is None]
+                if any(slot for _, slot in calls):  # more words of it are another value
+                    continue
+                waiting += [(target, calls, (*said, word)) for word, after in place.arcs.items() for target in after]
+                waiting += [
+                    (self._networks[edge.call.network].start, ((edge.target, False), *calls), said)
+                    for edge in place.edges
+                    if edge.call is not None and not (edge.call.apart or self._is_slot(edge.call.mark))
+                ]
+        if waiting or len(found) > MOST_ENDINGS:
+            return None
+        return frozenset(found - {()})
+
+    def _is_slot(self, mark: object) -> bool:
+        return isinstance(mark, tuple) and mark[0] == "slot"
 
     def _after(self, place: State, calls: Iterable[tuple[State, object, bool]]) -> frozenset[Continuation]:
         """What the ways on from a place would add, through the networks that it was entered through."""

@@ -161,18 +161,30 @@ class Matcher:
     def _continuations(self) -> Continuations:
         return Continuations(self.networks, {slot.name: slot.type for slot in self.grammar.slots.values()})
 
-    def settled(self, words: Sequence[str]) -> bool:
+    def settled(self, words: Sequence[str], *, but: Continuation = Continuation.NOTHING) -> bool:
         """Whether what may follow a whole command is no more than the manner of it, or more of a quantity.
 
         Fillers at the end say nothing about that: "go forward for me" may be heard of "go forward four meters".
+
+        Args:
+            words: of the command.
+            but: what may follow besides, and changes nothing.
         """
         while (short := self._without_filler(words)) is not None:
             words = short
-        rest = self.ahead(words) - {Continuation.NOTHING}
+        rest = self.ahead(words) - {Continuation.NOTHING, but}
         if rest and words and self._of_a_number(words[-1]):
             # "One hundred" may go on to "and twenty".
             return rest == {Continuation.MORE} and not self._may_grow(words)
         return rest <= {Continuation.MORE, Continuation.MANNER}
+
+    def endings(self, words: Sequence[str]) -> frozenset[tuple[str, ...]]:
+        """Words that a whole command may end with besides, where they fill no slot, are few, and are all that may
+        follow but for its manner: "section" after "show me the history"; else none."""
+        if Continuation.WORDS not in self.ahead(words) or not self.settled(words, but=Continuation.WORDS):
+            return frozenset()
+        ways = ((place, calls) for place, calls, trace in self.begun.ways_on(words) if not self._wrong(trace, words))
+        return self._continuations.endings(ways) or frozenset()
 
     def _may_grow(self, words: Sequence[str]) -> bool:
         """Whether the number with which some words end may still become another."""

@@ -136,9 +136,53 @@ intents:
 """
 
 
-def test_words_without_a_slot_may_change_everything(engine_of) -> None:
+def test_what_may_follow_a_command_is_words_or_a_speed(engine_of) -> None:
     engine = engine_of(GRAMMAR)
     assert engine.prefix("paint it").status is PrefixStatus.EXTENDABLE
-    assert not engine.prefix("paint it").settled
+    assert engine.prefix("paint it").settled  # what is done is the same, black or not: it fills no slot
     assert engine.prefix("paint it black").settled
     assert engine.prefix("polish it").settled
+
+
+ENDINGS = """
+language: en
+slots:
+  topic: [history, travel]
+  degrees: {type: number, min: 10, max: 30, whole: true}
+  time: duration
+  count: {type: number, min: 1, max: 9, whole: true}
+  door: [front door, back door]
+intents:
+  guide: {action: custom, sentences: ["show me [the] {topic} [section [of the library]]"]}
+  heat: {action: custom, sentences: ["set it to {degrees} [degrees]"]}
+  expose: {action: custom, sentences: ["take {count} frames of {time} [each]"]}
+  lift: {action: custom, sentences: ["(lift|pick up) the box"]}
+  open: {action: {type: custom, name: open}, sentences: ["open the {door}"]}
+  unlock: {action: {type: custom, name: unlock}, sentences: ["open the {door} with the key"]}
+  spin: {action: custom, sentences: [turn]}
+  look: {action: custom, sentences: ["turn around"]}
+  call: {action: custom, sentences: ["call [(a|the)] (nurse|doctor) [to the {door}]"]}
+  many: {action: custom, sentences: ["go now [(one|two|three) (four|five|six) (seven|eight|nine)]"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "settled"),
+    [
+        ("show me the history", True),
+        ("show me the history section", True),
+        ("set it to fourteen", True),
+        ("set it to twenty", False),  # "five"
+        ("take two frames of ten seconds", True),
+        ("take two frames of ten", False),
+        ("open the front door", False),  # "with the key" is another intent
+        ("turn", False),  # and so is "around"
+        ("call the nurse", False),
+        ("pick up the box", True),
+        ("go now", False),  # too many ways to say
+    ],
+)
+def test_words_that_change_nothing_leave_a_command_settled(engine_of, text: str, settled: bool) -> None:
+    engine = engine_of(ENDINGS)
+    assert engine.parse(text).status is (Status.INCOMPLETE if text.endswith("of ten") else Status.ACCEPTED)
+    assert engine.prefix(text).settled is settled

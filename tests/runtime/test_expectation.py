@@ -146,9 +146,10 @@ LIBRARY = """
 slots:
   shelf: {type: number, whole: true, min: 1, max: 250}
   what: {type: choice, values: ["on", "off"]}
+  lamp: [flash, torch]
 intents:
   count: {action: custom, sentences: ["count the books on shelf {shelf}"]}
-  scan: {action: custom, sentences: ["scan the shelf [with flash]"]}
+  scan: {action: custom, sentences: ["scan the shelf [with {lamp}]"]}
   vacuum: {action: custom, sentences: ["turn the vacuum {what}"]}
 """
 
