@@ -52,6 +52,8 @@ class Prefix:
     """A whole command that may go on to a speed."""
     resting: bool = False
     """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
+    idle_end: bool = False
+    """A whole command that may go on to words that fill no slot, and does the same with them."""
 
 
 def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> Prefix:
@@ -74,10 +76,12 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
             return Prefix(PrefixStatus.EXTENDABLE, (), len(words))
         return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
     status = _status(matcher, reached)
-    settled = status is not PrefixStatus.INCOMPLETE and (matcher.settled(words) or _says_it_all(interpreter, words))
+    whole = status is not PrefixStatus.INCOMPLETE
+    settled = whole and matcher.settled(words)
+    idle_end = whole and not settled and _says_it_all(interpreter, words)
     resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
     manner = status is PrefixStatus.EXTENDABLE and matcher.tells_manner(words)
-    return Prefix(status, _next_words(matcher, reached), count, settled, manner, resting)
+    return Prefix(status, _next_words(matcher, reached), count, settled or idle_end, manner, resting, idle_end)
 
 
 def _says_it_all(interpreter: Interpreter, words: Sequence[str]) -> bool:

@@ -65,7 +65,9 @@ class Expectation:
             # The speed of what a user's program does is a value like any other.
             told = prefix.settled and not (prefix.manner and any(isinstance(one, Custom) for one in meaning.actions))
             closed = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
-            if not told and closed and not amended and self.wait(transcript, meaning) is None:
+            asked = self.wait(transcript, meaning) is not None  # where it could go on, whatever that changes
+            told = told and not (prefix.idle_end and asked)
+            if not told and closed and not amended and not asked:
                 # Behind "please" comes no more of a command, though it could have gone on before.
                 return meaning, Outlook.SETTLED
             if not told or (rests and not amended):

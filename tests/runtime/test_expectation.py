@@ -195,9 +195,19 @@ intents:
 """
 
 
-def test_who_waits_longer_waits_behind_please_as_well(engine_of):
-    heard = Transcript("a latte please", 0.0, "a latte please", confidence=1.0)
-    assert expected(Judge(engine_of(OWN_WAITS)), heard)[1] is Outlook.EXTENDABLE
+@pytest.mark.parametrize(
+    ("text", "outlook"),
+    [
+        ("a latte", Outlook.EXTENDABLE),
+        ("a latte please", Outlook.EXTENDABLE),
+        ("a latte with milk", Outlook.COMPLETE),
+        ("bow", Outlook.SETTLED),  # low or not is the same to the robot
+        ("bow please", Outlook.SETTLED),
+    ],
+)
+def test_an_intent_that_says_how_long_waits_for_all_that_may_follow(engine_of, text, outlook):
+    heard = Transcript(text, 0.0, text, confidence=1.0)
+    assert expected(Judge(engine_of(OWN_WAITS)), heard)[1] is outlook
 
 
 @pytest.mark.parametrize(

@@ -83,8 +83,8 @@ def test_wake_word(go_forward, said, done):
 @pytest.mark.parametrize(("wait", "seconds"), [("", 0.35), ("wait: 900 ms", 0.9), ("wait: 0.2", 0.2)])
 def test_an_intent_waits_as_long_as_its_grammar_says(tmp_path, go_forward, wait, seconds):
     grammar = tmp_path / "bar.yaml"
-    order = f"  order: {{action: {{type: custom, name: order}}, sentences: ['a latte [with milk]'], {wait}}}\n"
-    grammar.write_text(f"language: en\nintents:\n{order}", "utf-8")
+    order = f"  order: {{action: {{type: custom, name: order}}, sentences: ['a latte [with {{what}}]'], {wait}}}\n"
+    grammar.write_text(f"language: en\nslots: {{what: [milk, cream]}}\nintents:\n{order}", "utf-8")
     clock = VirtualClock()
     events = []
     with Executor(SimulatedRobot(clock), clock=clock) as executor:
