@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from meanings import commands, shipped
 
 from intent_engine import Status
 from intent_engine.engine import PrefixStatus
+from intent_engine.testing import sentences
 
 SETTLED = [
     "turn left ninety degrees",
@@ -186,3 +187,15 @@ def test_words_that_change_nothing_leave_a_command_settled(engine_of, text: str,
     engine = engine_of(ENDINGS)
     assert engine.parse(text).status is (Status.INCOMPLETE if text.endswith("of ten") else Status.ACCEPTED)
     assert engine.prefix(text).settled is settled
+
+
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_no_end_of_a_sentence_that_is_not_waited_for_would_change_what_is_done(engine_of, data) -> None:
+    engine = engine_of(ENDINGS)
+    # Not "expose": "two minutes" goes on to "ten", for which nobody is waited for either.
+    intent = data.draw(st.sampled_from(["guide", "heat", "lift", "open", "unlock", "spin", "look", "call", "many"]))
+    words = data.draw(sentences(engine, intent)).text.split()
+    beginning = " ".join(words[: data.draw(st.integers(1, len(words)))])
+    if engine.prefix(beginning).idle_end:
+        assert engine.parse(beginning).actions == engine.parse(" ".join(words)).actions
