@@ -65,6 +65,8 @@ class Wording:
     """Words between a negation and the verb that it is of: "sans s'arrêter", "ohne zu bremsen"."""
     verb_follows: frozenset[str] = frozenset()
     """Words at the end of a filler from which a clause may go on with a verb: "if you *can*" turn left."""
+    fillers_apart: tuple[tuple[str, ...], ...] = ()
+    """Fillers that are a condition where anything goes on from them in one breath; none that a file has of its own."""
     adds: frozenset[str] = frozenset()
     """Words with which a joint begins that leaves what follows in the same clause: "and"."""
     of_speed: frozenset[str] = frozenset()

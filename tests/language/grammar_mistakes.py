@@ -181,6 +181,7 @@ MISTAKES: dict[str, str | bytes] = {
     "a misspelt type": slot("{type: distnace}"),
     "a misspelt type in short": slot("distnace"),
     "a slot that is its own values": slot("{small: [tiny, little], large: big}", "wave [{it}]"),
+    "a slot of values that are like keys": slot("{plus: [plus, and], minus: [minus, less]}", "wave [{it}]"),
     "a slot without a type": slot("{max_words: 2}"),
     "a choice without values": slot("{type: choice}"),
     "two values that are said alike": slot("{values: {small: [little, tiny], large: [big, little]}}"),

@@ -88,6 +88,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "why_to": "en",  # elsewhere it is among those before a thing: no name goes on so
         "coming": "en", "for_whom_before": "es fr it", "softens": "de es fr it", "hurries": "de es fr",
         "urges": "de es fr it", "namely": "de", "taken_up": "de es fr it",
+        "filler_apart": "en fr es it",  # German has them among the others: its verb stands last
         "joined_first": "it", "of_persons": "en",  # elsewhere they are those for things as well
         "particles": "en", "idle_particles": "de en",
         "placed": "de es",  # elsewhere the same words say where something is to go

@@ -296,7 +296,7 @@ class _Builder:
             around=self._beside_numbers(default_around(self.language)),
             counting=self._beside_numbers(default_counting(self.language)),
             counted=self._beside_numbers(default_counted(self.language)),
-            wording=_usual_wording(self.language),
+            wording=self._wording(),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,
@@ -327,7 +327,15 @@ class _Builder:
         if self.fillers == []:
             return ()
         own = default_fillers(self.language) if self.fillers is None else self.fillers
-        return (*own, *default_denying(self.language))
+        apart = map(" ".join, _usual_wording(self.language).fillers_apart)
+        return (*own, *default_denying(self.language), *apart)
+
+    def _wording(self) -> Wording:
+        """The usual one, in which fillers of a file's own are no others."""
+        usual, own = _usual_wording(self.language), frozenset(self._said(self.fillers or ()))
+        if own.isdisjoint(usual.fillers_apart):
+            return usual
+        return replace(usual, fillers_apart=tuple(words for words in usual.fillers_apart if words not in own))
 
     def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
         return _said_in(self.language, phrases)

@@ -34,8 +34,8 @@ __all__ = [
 _OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"}  # which is made of the stops
 _LISTS = {
     "adverbs": "adverb", "alternatives": "alternative", "before_negations": "before_negation",
-    "before_verbs": "before_verb", "behind_verbs": "behind_verb", "greetings": "greeting", "hesitations": "hesitation",
-    "requests": "request", "ways_back": "way_back",
+    "before_verbs": "before_verb", "behind_verbs": "behind_verb", "fillers_apart": "filler_apart",
+    "greetings": "greeting", "hesitations": "hesitation", "requests": "request", "ways_back": "way_back",
 }  # fmt: skip
 """The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
 _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}

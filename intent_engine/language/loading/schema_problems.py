@@ -152,6 +152,8 @@ def _bare_values(path: tuple[Any, ...], instance: dict[Any, Any], schema: Any) -
     if path[:1] != ("slots",) or len(path) != 2 or not all(isinstance(said, str | list) for said in instance.values()):
         return False
     known = list(schema.get("properties", ()))
+    if all(isinstance(said, list) for said in instance.values()):  # "minus" is no "min" that was misspelt
+        return instance.keys().isdisjoint(known)
     return not any(did_you_mean(str(key), known, _SLIP) for key in instance)
 
 

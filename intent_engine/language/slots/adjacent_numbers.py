@@ -257,12 +257,13 @@ def _is_cut(last: str, first: str, language: str) -> bool:
 
 def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], language: str) -> bool:
     """Whether the number words around the end of a quantity are two numbers, and can only be cut there: "ten fifteen"
-    is none, and "six thirty" is more than an hour can be; but 100 and 200 may be 102 and 100."""
-    if words[slot.end - 1] in HALVES or _multiplies(words[slot.end - 1], words[after.start], language):
-        return False
+    is none, and "six thirty" is more than an hour can be; but 100 and 200 may be 102 and 100. Nor is "twenty five" ever
+    twenty and five, however little the slot takes."""
     start, end = slot.end - 1, after.start + 1
     while start > slot.start and is_number(words[start - 1], language):
         start -= 1
+    if words[slot.end - 1] in HALVES or _are_one(words[start : slot.end], words[after.start], language):
+        return False
     while end < after.end and is_number(words[end], language):
         end += 1
     if may_hold(slot, words[start:end], language):
@@ -275,11 +276,17 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
     return list(cuts) == [slot.end]
 
 
-def _multiplies(last: str, first: str, language: str) -> bool:
-    """Whether a number counts another, as in "one hundred" and "quatre vingt": said so, it is one."""
-    values = (quantities.evaluate(words, "number", language) for words in ([last], [first], [last, first]))
-    one, other, both = (value if isinstance(value, float) else None for value in values)
-    return one is not None and other is not None and one >= 1 and other > 1 and both == one * other
+def _are_one(said: Sequence[str], next_: str, language: str) -> bool:
+    """Whether a number counts the next one, as in "one hundred" and "quatre vingt", or goes on to it, as in "twenty
+    five" and "one hundred five": said in words, they are one."""
+    if any(map(quantities.is_numeral, (*said[-1:], next_))):
+        return False
+    values = (quantities.evaluate(words, "number", language) for words in (said, said[-1:], [next_], [*said, next_]))
+    whole, last, other, both = (value if isinstance(value, float) else None for value in values)
+    if whole is None or other is None or both is None:
+        return False
+    counts = last is not None and last >= 1 and other > 1 and both == whole - last + last * other
+    return counts or (whole > other >= 1 and both == whole + other)
 
 
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:

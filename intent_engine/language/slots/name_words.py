@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from intent_engine.language.normalize import without_accents, words_of
 from intent_engine.language.numbers import english_ordinals, english_parts, english_words
-from intent_engine.language.words.homophones import LETTERS_BY_SOUND
+from intent_engine.language.words.homophones import LETTERS_BY_SOUND, SPELLING_ALPHABET
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = [
@@ -40,17 +40,12 @@ _NUMBER_ALIKES = {
     "for": "four", "fore": "four", "fife": "five", "sicks": "six", "sex": "six", "ate": "eight", "hate": "eight",
     "nein": "nine", "tin": "ten",
 }  # fmt: skip
-_SPELLING_ALPHABET = (
-    "alpha bravo charlie delta echo foxtrot golf hotel india juliet kilo lima mike november oscar papa quebec romeo "
-    "sierra tango uniform victor whiskey xray yankee zulu"
-)
 ALIKES: dict[str, str] = {
     **LETTERS_BY_SOUND,
-    **{word: word[0] for word in (*_SPELLING_ALPHABET.split(), "alfa", "juliett", "whisky")},
+    **SPELLING_ALPHABET,
     **_NUMBER_ALIKES,
 }
-"""What is written for a number or a letter that was said ("dock to", "bay tree", "aisle bee"), and the spelling
-alphabet of the International Civil Aviation Organization ("aisle bravo")."""
+"""What is written for a number or a letter that was said: "dock to", "bay tree", "aisle bee", "aisle bravo"."""
 
 
 def is_identifier(word: str) -> bool:

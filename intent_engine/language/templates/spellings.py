@@ -8,7 +8,12 @@ from itertools import islice, permutations
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.numbers.units import SIGNS, units
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
-from intent_engine.language.words.homophones import LETTERS_BY_SOUND, homophones, spelled_otherwise
+from intent_engine.language.words.homophones import (
+    LETTERS_BY_SOUND,
+    SPELLING_ALPHABET,
+    homophones,
+    spelled_otherwise,
+)
 
 __all__ = ["own_homophones", "own_words", "spellings", "stops_by_sound"]
 
@@ -75,17 +80,22 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
             found[word + "n"] = (*found.get(word + "n", ()), word)
     letters = _letters(grammar) if grammar.language == "en" else frozenset()
     for word, letter in LETTERS_BY_SOUND.items() if letters else ():
-        if letter in letters:
+        if letter in letters - {"a"}:
+            found[word] = (*found.get(word, ()), letter)
+    for word, letter in SPELLING_ALPHABET.items() if letters else ():
+        if letter in letters and word not in own:  # "alpha" is no article, unless a sentence has one there
             found[word] = (*found.get(word, ()), letter)
     return {word: same for word, same in found.items() if same}
 
 
 def _letters(grammar: Grammar) -> frozenset[str]:
-    """Letters that are values of lists: "row B". None of a sentence ("you turned left" is no U-turn), and no "a", which
-    is an article everywhere."""
+    """Letters that are values of lists: "row B". None of a sentence ("you turned left" is no U-turn), nor "a" where a
+    sentence has it as an article."""
     values = [node for slot in grammar.slots.values() for _, node in slot.values]
     nodes = [item for node in values for item in (node.items if isinstance(node, Choice) else (node,))]
-    return frozenset(node.text for node in nodes if isinstance(node, Word) and len(node.text) == 1) - {"a"}
+    listed = frozenset(node.text for node in nodes if isinstance(node, Word) and len(node.text) == 1)
+    templates = (sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences)
+    return listed - {"a"}.intersection(_literal((*templates, *grammar.phrases.values())))
 
 
 def _of_signs(language: str) -> dict[str, tuple[str, ...]]:

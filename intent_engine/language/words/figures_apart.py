@@ -1,5 +1,5 @@
 """Two numbers that are written or said as one: "6.30", "6:30" and "630" for "six thirty", as recognisers write times,
-"six oh five", and "3 and 4", which figures join as those of "100 and 4"."""
+"six oh five", "3 and 4", which figures join as those of "100 and 4", and the "3:00" of whoever says three."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import may_hold
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["are_apart", "figures_apart", "figures_joined"]
+__all__ = ["are_apart", "are_hours", "figures_apart", "figures_joined", "hours_alone"]
 
 _TOGETHER = re.compile(r"(\d{1,2})\.?(\d\d)")
 _THREE_FIGURES = "100"
 _FIGURES = re.compile(r"\d{1,2}")
+_FULL_HOUR = "00"
+_HOURS = 24
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +62,33 @@ def figures_joined(said: Utterance, language: str) -> Utterance | None:
             words[at : at + 1] = spelled
             breaks[at : at + 1] = [breaks[at], *[False] * (len(spelled) - 1)]
     return Utterance(words, breaks) if words != said.words else None
+
+
+def hours_alone(said: Utterance, language: str) -> Utterance | None:
+    """An utterance with its full hours without the minutes: "3:00" as "3"; None: it has none."""
+    kept = [place for place in range(len(said)) if not _is_full(said, place)]
+    if len(kept) == len(said):
+        return None
+    return Utterance([said.words[place] for place in kept], [said.breaks[place] for place in kept])
+
+
+def are_hours(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
+    """Whether every number that was taken for a full hour is the value of a slot that takes no more than hours."""
+    hours = {
+        reading.words[slot.start]
+        for reading in readings
+        for slot in reading.slots
+        if slot.end == slot.start + 1 and slot.slot.type == "number" and slot.slot.beyond(_HOURS + 1) is not None
+    }
+    return hours.issuperset(said.words[place - 1] for place in range(len(said)) if _is_full(said, place))
+
+
+def _is_full(said: Utterance, place: int) -> bool:
+    """Whether at a place stand the minutes of a full hour."""
+    if said.words[place] != _FULL_HOUR or not place or said.breaks[place]:
+        return False
+    hour = said.words[place - 1]
+    return _FIGURES.fullmatch(hour) is not None and int(hour) <= _HOURS
 
 
 def _is_whole(word: str) -> bool:

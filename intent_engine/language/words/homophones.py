@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping
 from functools import cache
 
-__all__ = ["LETTERS_BY_SOUND", "homophones", "spelled_otherwise"]
+__all__ = ["LETTERS_BY_SOUND", "SPELLING_ALPHABET", "homophones", "spelled_otherwise"]
 
 LETTERS_BY_SOUND = {
     "eh": "a", "hey": "a", "be": "b", "bee": "b", "see": "c", "sea": "c", "dee": "d", "eff": "f", "gee": "g",
@@ -20,6 +20,14 @@ LETTERS_BY_SOUND = {
     "why": "y", "zed": "z", "zee": "z",
 }  # fmt: skip
 """What is written for a letter that was said: "well bee two", "aisle see"."""
+
+SPELLING_ALPHABET = {
+    "alpha": "a", "alfa": "a", "bravo": "b", "charlie": "c", "delta": "d", "echo": "e", "foxtrot": "f", "golf": "g",
+    "hotel": "h", "india": "i", "juliet": "j", "juliett": "j", "kilo": "k", "lima": "l", "mike": "m", "november": "n",
+    "oscar": "o", "papa": "p", "quebec": "q", "romeo": "r", "sierra": "s", "tango": "t", "uniform": "u", "victor": "v",
+    "whiskey": "w", "whisky": "w", "xray": "x", "yankee": "y", "zulu": "z",
+}  # fmt: skip
+"""Letters as pilots say them, by the alphabet of the International Civil Aviation Organization: "aisle bravo"."""
 
 _ENGLISH = """
 add ad; aeroplane airplane; aid aide; air heir; aisle isle; aisles isles; allowed aloud; altar alter; aluminum

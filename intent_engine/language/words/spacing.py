@@ -10,6 +10,7 @@ from functools import cached_property
 from itertools import pairwise, permutations
 from typing import TypeAlias
 
+from intent_engine.language import quantities
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.utterance import Utterance
@@ -22,6 +23,10 @@ __all__ = ["Spacing", "in_a_row"]
 
 LEAST_LETTERS = 2
 """Of a part: "alight" is no "a light"."""
+LEAST_BEHIND_A_LETTER = 3
+"""Letters of a word behind a single one: "oclock" is "o clock", "tshirt" a "t shirt"."""
+MOST_SPELLED = 5
+"""Letters of what may be said letter by letter: "usb" of a grammar that has "u s b"."""
 
 _VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü18")
 """What a word may begin with before which others are shortened."""
@@ -54,9 +59,14 @@ class Spacing:
         for place in range(len(words) - 1, -1, -1):
             if place and self._grammar.language in _JOINS_SLOTS and words[place - 1] in self._articles:
                 continue  # "die Vorfahren": a noun
-            if (parts := self._parted(words[place], words[place + 1 :])) is not None:
+            parts = self._parted(words[place], words[place + 1 :]) or self._spelled(words, place)
+            if parts is not None:
                 words[place : place + 1] = parts
-                breaks.insert(place + 1, False)
+                breaks[place + 1 : place + 1] = [False] * (len(parts) - 1)
+        for place in range(len(words) - 3, -1, -1):
+            if length := self._spells(words, place, breaks):
+                words[place : place + length] = ["".join(words[place : place + length])]
+                del breaks[place + 1 : place + length]
         for place in range(len(words) - 2, -1, -1):
             one = self._one(words[place], words[place + 1], words[place + 2 :]) if not breaks[place + 1] else None
             if one is not None:
@@ -124,15 +134,42 @@ class Spacing:
                 first, second = word[:place], word[place:]
                 if self._closed.isdisjoint((first, second)) and self.follow(first, second):
                     return first, second
+            first, second = word[:1], word[1:]
+            small = first in self._articles or not self._closed.isdisjoint((first, second))
+            behind = len(second) >= LEAST_BEHIND_A_LETTER and not small
+            if behind and first in self._letters and self.follow(first, second):
+                return first, second
         if self._grammar.language == "en":
             for first, second in apart(word):
                 if self.follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
                     return first, second
         return None
 
+    def _spelled(self, words: list[str], place: int) -> tuple[str, ...] | None:
+        """The letters of a word, where the grammar has them one by one: "tv" of "t v". So is "am" behind a number."""
+        word = words[place]
+        if not LEAST_LETTERS <= len(word) <= MOST_SPELLED or word in self._words or not self._letters.issuperset(word):
+            return None
+        if word in self._closed and not (place and self._is_number(words[place - 1])):
+            return None
+        return tuple(word) if all(self.follow(one, other) for one, other in pairwise(word)) else None
+
+    def _spells(self, words: list[str], place: int, breaks: list[bool | None]) -> int:
+        """How many letters that begin at a place, three or more, are a word of the grammar; 0: none are."""
+        length = 0
+        for word, pause in zip(words[place:], breaks[place:], strict=True):
+            if len(word) > 1 or not word.isalpha() or (length and pause) or length == MOST_SPELLED:
+                break
+            length += 1
+        known = self._words | self._things if length > LEAST_LETTERS else _NONE
+        lengths = range(length, LEAST_LETTERS, -1)
+        return next((one for one in lengths if "".join(words[place : place + one]) in known), 0)
+
     def _one(self, first: str, second: str, after: list[str]) -> str | None:
         """The word of the grammar that two words are."""
         whole = first + second
+        if len(whole) == LEAST_LETTERS and self.follow(first, second):
+            return None  # of "u s b", though there is an "us"
         if (whole in self._words or whole in self._things) and self._closed.isdisjoint((first, second, whole)):
             return whole
         short = together(first, second) if self._grammar.language == "en" else None
@@ -159,6 +196,14 @@ class Spacing:
     def _things(self) -> _Words:
         """The words that free slots list: as likely names, and not as sentences to be parted into."""
         return frozenset(word for slot in self._grammar.slots.values() for word in slot.known if word.isalpha())
+
+    def _is_number(self, word: str) -> bool:
+        return quantities.is_numeral(word) or quantities.is_number_word(word, self._grammar.language)
+
+    @cached_property
+    def _letters(self) -> _Words:
+        """Words of a single letter."""
+        return frozenset(word for word in self._words if len(word) == 1)
 
     @cached_property
     def _longest(self) -> int:

@@ -25,6 +25,9 @@ intents:
   alarm:
     action: {type: custom, name: alarm}
     sentences: ["wake me at {hour} [{minute}] [am|pm]"]
+  call:
+    action: {type: custom, name: call}
+    sentences: ["call me at {hour} [sharp|pm]"]
   point:
     action: {type: custom, name: point}
     sentences: ["point at {x} {y}", "aim at {short:x} {short:y}"]
@@ -40,6 +43,16 @@ intents:
 @pytest.fixture(scope="module")
 def engine(engine_of) -> IntentEngine:
     return engine_of(GRAMMAR)
+
+
+@pytest.fixture(scope="module")
+def cages(engine_of) -> IntentEngine:
+    return engine_of("""
+language: en
+slots: {cage: {type: number, max: 20, whole: true}, pen: {type: number, max: 2000}, kg: {type: number, max: 100}}
+intents:
+  feed: {action: custom, sentences: ["feed cage {cage} [{kg} kilos]", "feed pen {pen} [{kg} kilos]"]}
+""")
 
 
 @pytest.mark.parametrize(
@@ -75,10 +88,33 @@ def test_a_number_that_counts_another_is_one_with_it(engine, said, y):
     assert [action.slots["y"] for action in engine.parse(f"aim at {said}").actions] == [y] * (y is not None)
 
 
+@given(st.integers(2, 9), st.integers(1, 9))
+def test_tens_and_ones_are_never_two_numbers(cages, tens, ones):
+    """However few the first of two slots takes: "cage twenty five kilos" says too little, or a cage that is none."""
+    number = " ".join(in_words([str(10 * tens + ones)]))
+    found = cages.parse(f"feed cage {number} kilos")
+    assert (found.status, found.actions) == (Status.REJECTED, ())
+    assert cages.parse(f"feed cage seven {number} kilos").slots == {"cage": 7, "kg": 10 * tens + ones}
+
+
+@pytest.mark.parametrize("number", ["one hundred five", "two thousand ten"])
+def test_nor_is_what_goes_on_from_a_hundred(cages, number):
+    assert not cages.parse(f"feed pen {number} kilos").actions
+
+
 @given(st.integers(1, 12), st.integers(0, 59), st.sampled_from(["{}.{:02}", "{}:{:02}", "{}{:02}", "{} {:02}"]))
 def test_any_time_of_day_in_figures(engine, hour, minute, figures):
     found = engine.parse(f"wake me at {figures.format(hour, minute)} am")
     assert {"minute": 0, **found.slots} == {"hour": hour, "minute": minute}  # "1.00" is an hour alone
+
+
+@given(st.integers(1, 12), st.sampled_from([" ", " sharp", " pm"]))
+def test_a_full_hour_has_no_minutes(engine, hour, behind):
+    """Recognisers write "3:00" for three, which a slot for the hour takes, and no other does."""
+    assert dict(engine.parse(f"call me at {hour}:00{behind}").slots) == {"hour": hour}
+    assert not engine.parse(f"call me at {hour}, 00{behind}").actions
+    assert not engine.parse(f"call me at {hour}:30{behind}").actions
+    assert not engine.parse(f"count to {hour}:00").actions
 
 
 @given(st.integers(1, 12), st.integers(1, 9), st.sampled_from(("oh", "o", "zero")), st.booleans())

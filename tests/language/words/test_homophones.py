@@ -217,3 +217,46 @@ intents:
 def test_how_it_is_spelled_elsewhere(engine_of, said, slots) -> None:
     found = engine_of(BRITISH).parse(said)
     assert (found.slots if found.actions else None) == slots
+
+
+SHELVES = """
+language: en
+slots: {shelf: [A, B, F, G], box: {type: number, max: 9}, hotel: [golf, "hotel echo"]}
+intents:
+  store: {action: custom, sentences: ["store a box on shelf {shelf} [box {box}]"]}
+  hurry: {action: custom, sentences: ["(a|the) nurse to shelf {shelf}", "drive to {hotel}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("store a box on shelf bravo", {"shelf": "B"}),
+        ("store a box on shelf foxtrot box two", {"shelf": "F", "box": 2}),
+        ("the nurse to shelf bravo", {"shelf": "B"}),
+        ("drive to golf", {"hotel": "golf"}),
+        ("drive to hotel echo", {"hotel": "hotel echo"}),
+    ],
+)
+def test_a_letter_of_a_list_is_said_as_pilots_do(engine_of, said, slots):
+    assert dict(engine_of(SHELVES).parse(said).slots) == slots
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "store a box on shelf charlie",
+        "store a box on shelf golf",  # the word of another list
+        "store alpha box on shelf b",  # the article is no letter
+        "alpha nurse to shelf b",
+        "drive to bravo",
+    ],
+)
+def test_and_no_other_word_is_one(engine_of, said):
+    assert not engine_of(SHELVES).parse(said).actions
+
+
+def test_the_first_letter_is_one_where_no_sentence_has_it_as_an_article(engine_of):
+    plain = SHELVES.replace("(a|the)", "the").replace("store a box", "store the box")
+    assert engine_of(plain).parse("store the box on shelf alpha").slots == {"shelf": "A"}
+    assert not engine_of(plain).parse("store alpha box on shelf b").actions

@@ -92,6 +92,46 @@ def test_a_thing_is_written_as_its_list_has_it(said, thing):
     assert (Spacing(shipped().grammar).otherwise(words) or words).words[-1] == thing.split()[-1]
 
 
+SPELLED = """
+language: en
+slots:
+  hour: {type: number, min: 1, max: 12, whole: true}
+  half: {values: {am: [%s], pm: [%s]}}
+intents:
+  wake: {action: custom, sentences: ["wake me [up] at {hour} [%s] [{half}]"]}
+  show: {action: custom, sentences: ["switch on the %s", "plug in the %s", "tell us what you see"]}
+"""
+WAYS = [
+    ("a m", "p m", "o clock", "t v", "u s b stick"),
+    ("am", "pm", "oclock", "tv", "usb stick"),
+    ("a.m.", "p.m.", "o'clock", "TV", "U.S.B. stick"),
+]
+
+
+@pytest.mark.parametrize("ways", WAYS)
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("wake me at 3 {}", {"hour": 3, "half": "am"}),
+        ("wake me at three {1}", {"hour": 3, "half": "pm"}),
+        ("wake me up at 3 {2}", {"hour": 3}),
+        ("wake me up at three {2} {1}", {"hour": 3, "half": "pm"}),
+        ("switch on the {3}", {}),
+        ("plug in the {4}", {}),
+    ],
+)
+def test_what_is_spelled_is_the_same_by_its_letters_and_as_a_word(engine_of, ways, said, slots):
+    engine = engine_of(SPELLED % ways)
+    for other in WAYS:
+        found = engine.parse(said.replace("{}", "{0}").format(*other))
+        assert (found.status, dict(found.slots)) == (Status.ACCEPTED, slots), other
+
+
+@pytest.mark.parametrize("said", ["wake me at am", "switch on the vt", "plug in us b stick", "plug in the usd stick"])
+def test_other_letters_are_no_such_word(engine_of, said):
+    assert not engine_of(SPELLED % WAYS[0]).parse(said).actions
+
+
 def test_free_words_stay_as_they_were_said(drone):
     assert drone.parse("note way point takeoff").slots == {"note": "way point takeoff"}
 

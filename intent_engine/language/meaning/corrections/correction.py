@@ -14,6 +14,7 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.corrections.broken_off import broken_off
 from intent_engine.language.meaning.corrections.opposed_words import OpposedWords
 from intent_engine.language.meaning.corrections.replacement import Replacements
+from intent_engine.language.meaning.corrections.said_with_more import SaidWithMore
 from intent_engine.language.meaning.corrections.stand_ins import StandIns
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
@@ -37,6 +38,7 @@ class Corrections:
         self._replacements = replacements
         self._opposites = OpposedWords(commands)
         self._stand_ins = StandIns(commands, replacements)
+        self._with_more = SaidWithMore(commands, replacements, self._opposites)
         self._matcher = commands.matcher
         self._definite = thing_words(commands.matcher.grammar.language).definite
         wording = commands.matcher.grammar.wording
@@ -126,7 +128,10 @@ class Corrections:
                 if not before and self._stand_ins.lacks_noun(piece):
                     full = self._stand_ins.replaced(current, piece, state)
                 replaced = full or replaced or self._opposites.replaced(current, piece, state)
-                replaced = replaced or (None if before else self._number_alone(current, piece, state))
+                if replaced is None and not before:
+                    replaced = self._number_alone(current, piece, state) or self._with_more.replaced(
+                        current, piece, state
+                    )
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words

@@ -24,17 +24,19 @@ class Conditions:
         self._clauses = PhraseSet(
             words for words in grammar.fillers if len(words) > 1 and words[0] in closed and words[-1] in verb_follows
         )
+        self._apart_only = PhraseSet(grammar.wording.fillers_apart)
         self._adds = grammar.wording.adds
 
     def may_stand_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any could begin in these words."""
-        return self._clauses.may_stand_in(words)
+        return self._clauses.may_stand_in(words) or self._apart_only.may_stand_in(words)
 
     def within(self, said: Utterance, parts: Sequence[Clause]) -> str:
         """The words with which a condition begins; empty: there is none.
 
         One stands where no pause nor joint follows such a filler, but "not", or a clause beside another one: "if you
-        could go to the kitchen and turn left" is a single clause, and so asks for both.
+        could go to the kitchen and turn left" is a single clause, and so asks for both. Of a filler that no file lists,
+        anything that goes on from it in one breath may be what is asked of: "if you can ring".
 
         Args:
             said: all words, with the fillers.
@@ -42,6 +44,9 @@ class Conditions:
         """
         words = said.words
         for place in range(len(words)):
+            apart = self._apart_only.at(words, place)
+            if apart and self._goes_on(said, place + apart):
+                return " ".join(words[place : place + apart])
             length = self._clauses.at(words, place)
             if length and self._goes_on(said, place + length):
                 negated = self._phrases.negation.at(words, place + length) > 0

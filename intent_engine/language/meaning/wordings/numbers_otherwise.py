@@ -13,7 +13,13 @@ from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.slots.half_behind import half_before, is_half_of_it
 from intent_engine.language.slots.written_shares import are_shares, shares_in_words
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.words.figures_apart import (
+    are_apart,
+    are_hours,
+    figures_apart,
+    figures_joined,
+    hours_alone,
+)
 
 __all__ = ["NUMBERS", "NumbersRule"]
 
@@ -31,6 +37,7 @@ NumbersRule: TypeAlias = tuple[_Otherwise, _IsMeant]
 NUMBERS: tuple[NumbersRule, ...] = (
     (figures_apart, are_apart),
     (figures_joined, _always),
+    (hours_alone, are_hours),
     (every_one, is_every_one),
     (without_number, is_called_so),
     (without_of, is_counted_with_of),

@@ -98,6 +98,8 @@ class PlacedFirst:
         counted = bool(within) and (within[0].slot.type == "number" or sized) and within[0].end == end - 1
         if len(within) != 1 or not (within[0].end == end or counted) or within[0].start < start:
             return False
+        if end - start == 1 and reading.words[start] in self._articles:
+            return False  # "on a shelf": any, and not the one called A
         led = within[0].start > start
         said_before = any(slot.end == start and slot.slot.type == "choice" for slot in reading.slots)  # "move it up"
         if not led and not said_before and reading.words[start - 1] in self._leading:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import does
+from meanings import assert_same, does
 
 NOTHING = ("rejected", "ambiguous", "incomplete")
 COMMANDS = {
@@ -59,3 +59,27 @@ def test_by_itself_it_is_a_polite_command(filler: str, one: str) -> None:
 )
 def test_what_is_joined_by_and_is_one_clause(said: str, done: str) -> None:
     assert does(said) == done
+
+
+POLITE = {
+    "en": ("lower the arm", "open the gate", "if you can", "if you can lower the arm"),
+    "de": ("senke den Arm", "öffne das Tor", "wenn du kannst", "wenn du den Arm senken kannst"),
+    "fr": ("baisse le bras", "ouvre la porte", "si tu peux", "si tu peux baisser le bras"),
+    "es": ("baja el brazo", "abre la puerta", "si puedes", "si puedes bajar el brazo"),
+    "it": ("abbassa il braccio", "apri la porta", "se puoi", "se puoi abbassare il braccio"),
+}
+
+
+@pytest.mark.parametrize("language", sorted(POLITE))
+def test_grammars_that_list_no_fillers_know_it(engine_of, language: str) -> None:
+    one, other, filler, condition = POLITE[language]
+    engine = engine_of(f"""
+language: {language}
+intents:
+  one: {{action: custom, sentences: ["{one}"]}}
+  other: {{action: custom, sentences: ["{other}"]}}
+""")
+    for said in (f"{filler}, {one}", f"{one} {filler}", f"{one}, {filler}"):
+        assert_same(engine, said, one)
+    for said in (f"{condition}, {other}", condition):  # what is asked of it may follow
+        assert not engine.parse(said).actions

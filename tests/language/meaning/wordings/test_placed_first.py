@@ -37,7 +37,7 @@ intents:
 ENGLISH = """
 language: en
 slots: {side: [left, right], far: {type: angle, unit: deg}, time: duration, n: number, m: number, thing: text,
-  room: [hall, bath], share: percent}
+  room: [hall, bath], share: percent, shelf: [A, B]}
 intents:
   rotate: {action: custom, sentences: ["rotate the mirror [to the] {side} [by] [{far}]"]}
   pan: {action: custom, sentences: ["pan [to the] {side} [by] [{far}]"]}
@@ -45,6 +45,7 @@ intents:
   wait: {action: custom, sentences: ["wait outside room {n} [for {time}]"]}
   mix: {action: custom, sentences: ["mix {n} with {m}"]}
   hide: {action: custom, sentences: ["hide {thing} for {time}"]}
+  store: {action: custom, sentences: ["store the box (on|in) shelf {shelf}"]}
 """
 GRAMMARS = {"de": GERMAN, "es": SPANISH, "en": ENGLISH}
 
@@ -78,6 +79,7 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("en", "pan 15 right", "pan right 15"),
         ("en", "rotate the mirror thirty degrees to the left", "rotate the mirror to the left thirty degrees"),
         ("en", "wait for five minutes outside room 14", "wait outside room 14 for five minutes"),
+        ("en", "store the box on the b shelf", "store the box on shelf b"),
     ],
 )
 def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> None:
@@ -107,6 +109,8 @@ def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> 
         ("es", "mueve despacio, la bomba"),
         ("es", "mueve despacio y la bomba"),
         ("de", "bring in den Flur Wasser"),
+        ("en", "store the box on a shelf"),
+        ("en", "store the box in a shelf"),
         ("en", "pan thirty degrees to the left or right"),
         ("en", "mix with 3 5"),
         ("en", "pan left to the"),
