@@ -143,7 +143,8 @@ def _figures(figures: Figures) -> Iterator[str]:
     size = figures.size
     patterns = f", {_many(size.patterns, 'pattern')}" if size.patterns else ""
     said = f"{_many(size.sentences, 'sentence')}{patterns}"
-    yield f"{_many(size.intents, 'intent')}, {said}, {_many(size.names, 'name')} of places"
+    places = f", {_many(size.names, 'name')} of places" if size.names else ""
+    yield f"{_many(size.intents, 'intent')}, {said}{places}"
     ways, spoken = _large(size.ways), _large(size.spoken)
     yield f"{ways} ways to say them, {spoken} with the values of lists and names; at most {size.longest} words"
     yield f"{figures.states:,} states and {figures.arcs:,} arcs, walked as {figures.word_states:,} sets of states"

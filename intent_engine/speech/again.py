@@ -63,6 +63,8 @@ def heard_again(
     said = grammar.parse(again.text, again.language)
     if said.actions != meaning.actions and not said.stops and min(once.sureness, again.sureness) >= MAY_BE:
         return replace(once, confidence=once.sureness / 2) if done else once
+    if done and again.left_out and again.sureness >= MAY_BE:
+        return replace(once, left_out=again.left_out)
     if done or not said.actions or again.sureness < SURE_AGAIN or again.unclear or again.left_out:
         return once
     return once if grammar.holds_any_words(grammar.words(again.text, again.language), again.language) else again

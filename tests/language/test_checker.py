@@ -264,6 +264,11 @@ def test_sizes_count_values_and_names(tmp_path):
     assert figures.longest == 5 + MOST_ARTICLES
 
 
+def test_sizes_count_no_names_of_which_no_slot_takes_any(tmp_path):
+    text = intents(use="'paint [it] {colour}'").replace("type: location", "type: text")
+    assert check(tmp_path, text, {"hall": (0.0, 0.0)}).figures.size.names == 0
+
+
 def test_sizes_count_the_names_of_the_places_that_a_slot_takes(tmp_path):
     text = intents(use="'visit {place}', 'open {door}'").replace("thing: text", "door: {type: location, tags: [door]}")
     places = {"hall": (0, 0), "gate": {"x": 1, "y": 1, "tags": ["door"], "aliases": ["barrier"]}}

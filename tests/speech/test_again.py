@@ -54,6 +54,13 @@ def test_it_is_the_same_sound_a_moment_later():
     assert later(SOUND).dtype == SOUND.dtype
 
 
+@given(st.floats(0.7, CONFIRMED - 0.01), confidences)
+def test_what_is_said_before_it_counts_the_second_time_too(grammar, once, again):
+    """ "Did you turn left": the first time nobody heard the "did"."""
+    found, told = heard(LEFT, once), replace(heard(LEFT, again), left_out=("did you",))
+    assert twice(grammar, found, told).left_out == (("did you",) if again >= MAY_BE else ())
+
+
 @given(st.floats(0.7, 1), confidences)
 def test_what_is_done_is_as_sure_as_it_was_if_it_is_the_same_the_second_time(grammar, once, again):
     found = heard(LEFT, once)

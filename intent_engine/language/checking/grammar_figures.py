@@ -45,7 +45,7 @@ class Size:
     longest: int
     """Words of the longest sentence."""
     names: int
-    """Names and aliases of the map."""
+    """Names and aliases of the map, if any slot takes a place."""
 
 
 def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
@@ -62,7 +62,7 @@ def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
         ways=sum(once.ways(sentence.template) for sentence in sentences),
         spoken=sum(each.ways(sentence.template) for sentence in sentences),
         longest=max((lengths.of(sentence.template) for sentence in sentences), default=0),
-        names=len(names),
+        names=len(names) if any(slot.type == "location" for slot in grammar.slots.values()) else 0,
     )
 
 

@@ -70,7 +70,8 @@ class Combination:
             said = beside_heard(self._grammar, best.words, (first, second))
             unclear += said.begins_unheard() + said.unheard_inside() + said.either_heard()
             left_out = said.left_out() or said.left_open() or said.opposite() or said.passed_over()
-            left_out = left_out or said.letter_otherwise() or said.heard_otherwise(best.evidence.confidence)
+            left_out = left_out or said.letter_otherwise() or said.begun_otherwise()
+            left_out = left_out or said.heard_otherwise(best.evidence.confidence)
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.

@@ -7,6 +7,7 @@ command that has no place for them was not.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
@@ -25,6 +26,7 @@ __all__ = [
     "NARRATING",
     "SUBJECTS",
     "SUBJECTS_IN",
+    "asks_politely",
     "asks_whether",
     "leaves_out",
     "lets_another",
@@ -62,6 +64,8 @@ ASKING = frozenset(("who", "whose", "what", "which", "where", "when", "why", "ho
 heard."""
 DOING = frozenset(("do", "does", "did"))
 """With a subject they ask whether somebody does something."""
+MAY = frozenset(("can", "could", "will", "would"))
+"""With "you" they ask for something to be done."""
 OTHERS = frozenset(("he", "she", "they"))
 """Subjects that no command begins with, whoever is meant."""
 LET = frozenset(("me", "him", "her", "them"))
@@ -163,6 +167,22 @@ def asks_whether(words: Sequence[str], lead: int, heard: Collection[tuple[Sequen
         return ()
     asking = (begin for begin in begins if len(begin) == 2 and begin[0] in DOING and begin[1] in {*SUBJECTS, *OTHERS})
     return next(asking, ())
+
+
+def asks_politely(words: Sequence[str], lead: int, heard: Iterable[Sequence[str]]) -> Sequence[str]:
+    """The first words that one of several models heard, where they ask whether somebody does or did what a sentence
+    asks for politely, with a word that none heard: "did you weigh it" is no "can you weigh it". Empty: none heard such.
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard.
+    """
+    heard = list(heard)
+    politely = any(one in MAY and other in SUBJECTS for one, other in pairwise(words[:lead]))
+    if not politely or any(word in MAY for one in heard for word in one):
+        return ()
+    return next((one[:2] for one in heard if one[:1] and one[0] in DOING and one[1:2] and one[1] in SUBJECTS), ())
 
 
 def verbless(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:

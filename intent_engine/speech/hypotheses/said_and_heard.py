@@ -28,6 +28,7 @@ from intent_engine.speech.hypotheses.narration import (
     ASKING,
     OTHERS,
     SUBJECTS,
+    asks_politely,
     asks_whether,
     lets_another,
     misheard,
@@ -105,6 +106,17 @@ class SaidAndHeard:
         said = sorted(word for word in shared if not unheard.isdisjoint(opposed(word, self.language)))
         return tuple(said[:1])
 
+    def begun_otherwise(self) -> tuple[str, ...]:
+        """The word with which all models heard a command of the grammar begin, where this one begins with another that
+        none heard: "set the oven" is no "shut the oven", but has not been said to the end."""
+        lead = self._lead
+        if self._free or not self.heard or lead >= len(self.words):
+            return ()
+        begun = {next(iter(one[self.grammar.lead(one, self.language) :]), "") for one in self.heard}
+        word = begun.pop() if len(begun) == 1 else ""
+        unheard = not any(self.words[lead] in one for one in self.heard)
+        return (word,) if word != self.words[lead] and unheard and self.grammar.begins(word, self.language) else ()
+
     def letter_otherwise(self) -> tuple[str, ...]:
         """The word of the grammar that all models heard and the sentence has not, where it has a letter beside a number
         that none heard: of "bay five" nobody knows which bay it is, and it is no "b five". A "be" may be that
@@ -168,6 +180,7 @@ class SaidAndHeard:
         led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
         persons = {*SUBJECTS, *OTHERS, *ASKING}.difference(self.words, ("it",))  # a "let's" is heard as "it"
         said = told_of(self.words, self._lead, led, persons) or lets_another(self.words, self._lead, led)
+        said = said or asks_politely(self.words, self._lead, self.heard)
         return said or asks_whether(self.words, self._lead, led)
 
     @property

@@ -264,6 +264,10 @@ class SpokenGrammar:
             count += length
         return count if count < len(words) else 0
 
+    def begins(self, word: str, language: str | None = None) -> bool:
+        """Whether a sentence may begin with a word that is neither an article nor a number."""
+        return word in self._known(language).first
+
     def joins(self, word: str, language: str | None = None) -> bool:
         """Whether a word alone joins commands: "and"."""
         return self._known(language).sequence.at([word], 0) == 1

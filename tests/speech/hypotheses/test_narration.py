@@ -12,6 +12,7 @@ from intent_engine.speech.hypotheses.narration import (
     NARRATING,
     SUBJECTS,
     TELLING,
+    asks_politely,
     asks_whether,
     leaves_out,
     narrating,
@@ -177,3 +178,22 @@ def test_what_asks_whether_somebody_does_it(heard, asked):
     """One model in noise hears a question, and the other some word in its place."""
     led = [(one.split(), one.startswith("please")) for one in heard]
     assert " ".join(asks_whether(["go", "to", "the", "kitchen"], 0, led)) == asked
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "asked"),
+    [
+        ("can you weigh the barley", ["did you wait a barley", "any way to borrow"], "did you"),
+        ("could you weigh the barley", ["any way to borrow", "do you wait a barley"], "do you"),
+        ("can you weigh the barley", ["did you wait a barley", "can you way the barley"], ""),
+        ("can you weigh the barley", ["did you wait a barley", "could you way the barley"], ""),
+        ("please weigh the barley", ["did you wait a barley", "any way to borrow"], ""),  # weighed elsewhere
+        ("can you weigh the barley", ["any way to borrow", "then you way the barley"], ""),
+        ("weigh the barley", ["did you wait a barley"], ""),
+        ("can you weigh the barley", [], ""),
+    ],
+)
+def test_a_question_is_no_polite_command(sentence, heard, asked):
+    words = sentence.split()
+    lead = words.index("weigh")
+    assert " ".join(asks_politely(words, lead, [one.split() for one in heard])) == asked

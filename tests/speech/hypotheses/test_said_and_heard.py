@@ -48,6 +48,34 @@ def test_a_word_that_all_heard_is_no_letter(tmp_path, sentence, heard, otherwise
 
 
 @pytest.mark.parametrize(
+    ("sentence", "heard", "otherwise"),
+    [
+        ("shut the oven", ["set the oven"] * 2, ("set",)),
+        ("shut the oven", ["please set the oven", "set the of vin"], ("set",)),
+        ("please shut the oven", ["set the oven"] * 2, ("set",)),
+        ("shut the oven", ["set the oven", "sat the oven"], ()),
+        ("shut the oven", ["set the oven", "shut the oven"], ()),
+        ("shut the oven", ["sat the oven"] * 2, ()),  # with which no command begins
+        ("the oven shut", ["the oven set"] * 2, ()),
+        ("shut the oven", ["the oven"] * 2, ()),
+        ("two ovens", ["three ovens"] * 2, ()),  # numbers are weighed apart
+        ("stop", ["set"] * 2, ()),  # a stop waits for nothing
+        ("shut the oven", [], ()),
+    ],
+)
+def test_a_command_that_all_heard_begin_is_no_other(tmp_path, sentence, heard, otherwise):
+    file = tmp_path / "bakery.yaml"
+    file.write_text(
+        "slots: {n: number}\n"
+        "intents:\n"
+        "  heat: {action: custom, sentences: ['set the oven to {n} degrees', '{n} ovens']}\n"
+        "  door: {action: custom, sentences: ['shut the oven', 'the oven shut']}\n"
+    )
+    grammar = SpokenGrammar(IntentEngine.from_files(file))
+    assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).begun_otherwise() == otherwise
+
+
+@pytest.mark.parametrize(
     ("heard", "unheard"),
     [
         (["and two grams of salt"] * 2, ()),
