@@ -52,7 +52,7 @@ def _side_by_side(grammar: Grammar, node: Node) -> Iterator[tuple[str, str]]:
             yield from _side_by_side(grammar, item)
         case Choice(items) | Sequence(items) | AnyOrder(items):
             for one, other in pairwise(items) if isinstance(node, Sequence) else ():
-                number, amount = _amount(grammar, one), _amount(grammar, other)
+                number, amount = _amount(grammar, one, at=-1), _amount(grammar, other, at=0)
                 if number is not None and amount is not None:
                     slot = grammar.slots[number.name]
                     if slot.type == "number" and not slot.units and grammar.slots[amount.name].type != "ordinal":
@@ -61,9 +61,10 @@ def _side_by_side(grammar: Grammar, node: Node) -> Iterator[tuple[str, str]]:
                 yield from _side_by_side(grammar, item)
 
 
-def _amount(grammar: Grammar, node: Node) -> Reference | None:
-    """A quantity that is said there, and nothing else."""
-    node = node.item if isinstance(node, Optional) else node
+def _amount(grammar: Grammar, node: Node, *, at: int) -> Reference | None:
+    """A quantity with which that begins (``at`` 0) or ends (-1)."""
+    while isinstance(node, Optional) or (isinstance(node, Sequence) and node.items):
+        node = node.item if isinstance(node, Optional) else node.items[at]
     slot = grammar.slots.get(node.name) if isinstance(node, Reference) and node.name not in grammar.phrases else None
     return node if isinstance(node, Reference) and slot is not None and slot.type in QUANTITY_KINDS else None
 

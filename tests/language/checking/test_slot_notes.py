@@ -58,3 +58,21 @@ def test_other_languages_name_no_english_word(engine_of) -> None:
         "intents: {sag: {action: custom, sentences: ['sag {text}']}}\n"
     )
     assert not list(slot_notes(engine.grammar))
+
+
+@pytest.mark.parametrize(
+    ("sentence", "told"),
+    [
+        ("feed cage {cage} {kg}", True),
+        ("feed cage {cage} [{kg} kilos]", True),
+        ("feed [cage {cage}] {kg} kilos", True),
+        ("feed cage {cage} with {kg} kilos", False),
+        ("feed cage {cage} [with {kg} kilos]", False),
+        ("feed cage {cage} [fish] {kg} kilos", False),
+    ],
+)
+def test_numbers_side_by_side_are_told(engine_of, sentence, told) -> None:
+    grammar = f"slots: {{cage: number, kg: number}}\nintents: {{feed: {{action: custom, sentences: ['{sentence}']}}}}"
+    assert [problem.message.partition(":")[0] for problem in slot_notes(engine_of(grammar).grammar)] == [
+        "{cage} and {kg} are numbers side by side"
+    ] * told
