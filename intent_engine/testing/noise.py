@@ -60,7 +60,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
         PhraseSet((*operators.negation, *operators.correction, *operators.cancel, *operators.stop)),
     )
     own = own_words(grammar) if special[0].find(_words(said)) is not None else frozenset()
-    usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
+    everywhere = (filler for filler in grammar.fillers if filler not in grammar.wording.fillers_apart)
+    usable = [filler for filler in everywhere if not own.issuperset(filler)]
     choosing = (node for slot in grammar.slots.values() for _, node in slot.values)
     alone = {
         words[0] for node in choosing for words in spellings(node, grammar.phrases, MOST_SPELLINGS) if len(words) == 1
