@@ -54,6 +54,8 @@ def _common(
 def main() -> None:
     """What the ``intent-engine`` script runs."""
     prepare()
+    if not os.environ.get("COLUMNS", "").strip("0"):  # some editors and containers say 0, and Rich would show nothing
+        os.environ.pop("COLUMNS", None)
     try:
         try:
             app()

@@ -86,7 +86,7 @@ def _guarded(function: Callable[P, int | None], stopped: str) -> Callable[P, Non
 
 def _run(function: Callable[[], int | None], stopped: str) -> int:
     try:
-        return function() or 0
+        return _unmasked(function)
     except typer.Exit:
         raise
     except IntentEngineError as error:
@@ -116,6 +116,27 @@ def _run(function: Callable[[], int | None], stopped: str) -> int:
             f"To see where it happened, repeat the command as: intent-engine --debug {shlex.join(sys.argv[1:])}"
         )
         return EXIT_BUG
+
+
+def _unmasked(function: Callable[[], int | None]) -> int:
+    """Call a function. Where an interruption became another error on its way, as in a library that was being loaded
+    ("initialization failed"), it is raised again as what it was."""
+    try:
+        return function() or 0
+    except Exception as error:
+        if (ending := _interruption(error)) is not None:
+            raise ending from None
+        raise
+
+
+def _interruption(error: BaseException) -> KeyboardInterrupt | Terminated | None:
+    """The interruption that an error was made of; None of any other, as of one in what is done because of it."""
+    link: BaseException | None = error
+    while link is not None:
+        if isinstance(link.__cause__, KeyboardInterrupt | Terminated):
+            return link.__cause__
+        link = link.__cause__ or link.__context__
+    return None
 
 
 def output_lost(error: OutputError) -> int:

@@ -19,6 +19,7 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from intent_engine.cli import app, guard
+from intent_engine.errors import ConfigError
 
 VERBS = sorted(get_command(app).commands)  # type: ignore[attr-defined]
 
@@ -26,6 +27,10 @@ VERBS = sorted(get_command(app).commands)  # type: ignore[attr-defined]
 def test_version(intent_engine):
     done = intent_engine("--version")
     assert (done.returncode, done.stdout) == (0, f"intent-engine {version('intent-engine')}\n")
+
+
+def test_a_terminal_without_a_width_shows_the_help(intent_engine):
+    assert "Usage:" in intent_engine("parse", "--help", COLUMNS="0").stdout
 
 
 def test_python_runs_the_package_as_the_same_program():
@@ -163,6 +168,39 @@ def test_of_a_robot_only_a_verb_that_has_one_speaks(monkeypatch, ending, code):
     for arguments, told in ((["parse", "stop"], False), (["listen"], True), (["run", "examples/demo.flac"], True)):
         result = CliRunner().invoke(app, arguments)
         assert (result.exit_code, "the robot is stopped" in result.stderr) == (code, told)
+
+
+@pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard.Terminated, 143)])
+@pytest.mark.parametrize("missing", [False, True], ids=["a library", "a package that counts as missing"])
+def test_an_interruption_that_became_another_error_is_told_as_what_it_was(monkeypatch, ending, code, missing):
+    def loaded(*_: object, **__: object) -> None:
+        try:
+            try:
+                raise ending
+            except BaseException as interrupted:  # as libraries in C do
+                raise ImportError("initialization failed") from interrupted
+        except ImportError:
+            if missing:
+                raise ConfigError("a package is not installed") from None
+            raise
+
+    monkeypatch.setattr("intent_engine.cli.parse.load_engine", loaded)
+    result = CliRunner().invoke(app, ["parse", "stop"])
+    assert result.exit_code == code
+    assert result.stderr in ("error: interrupted\n", "error: terminated\n")
+
+
+def test_a_fault_in_what_is_done_after_an_interruption_is_told(monkeypatch):
+    def ended(*_: object, **__: object) -> None:
+        try:
+            raise KeyboardInterrupt
+        finally:
+            raise ZeroDivisionError("one over nothing")
+
+    monkeypatch.setattr("intent_engine.cli.parse.load_engine", ended)
+    result = CliRunner().invoke(app, ["parse", "stop"])
+    assert result.exit_code == 70
+    assert "ZeroDivisionError" in result.stderr
 
 
 DESTROYED = """
