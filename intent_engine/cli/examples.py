@@ -47,7 +47,7 @@ def run_examples(
     if not as_json:
         if failed:
             rows = [row for outcome, file in failed for row in _rows(outcome, file)]
-            table("", ("where", "sentence", "part", "expected", "found"), rows)
+            table("", ("where", "sentence", "part", "expected", "found"), rows, keys=2, listed=True)
         style = "red" if failed else "green"
         passed = sum(outcome.passed for outcome, _ in outcomes)
         left = len(outcomes) - passed - len(failed)

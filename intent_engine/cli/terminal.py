@@ -210,7 +210,8 @@ def _list(console: Console, title: str, columns: Sequence[str], body: Sequence[S
     if title:
         console.print(Text(title, style="italic"))
     for row in body:
-        console.print(Text(", ".join(row[:keys]), style="bold"))
+        if any(row[:keys]):  # else it is more of the row before
+            console.print(Text(", ".join(row[:keys]), style="bold"))
         grid = Table.grid(padding=(0, 2), pad_edge=False)
         grid.add_column()
         grid.add_column(overflow="fold")

@@ -67,6 +67,17 @@ def test_a_table_of_failures(in_process, folder):
     assert rows[-1] == ["4", "examples:", "3", "passed,", "1", "failed"]
 
 
+def test_failures_on_a_narrow_terminal_are_listed_with_no_word_cut(in_process, folder):
+    (folder / "two.intents.yaml").write_text("grammar: wave.yaml\ntests: [{wave at bob: {who: anna}}]\n")
+    done = in_process("test", "wave.yaml", "two.intents.yaml", cwd=folder, COLUMNS="40")
+    assert done.returncode == 1
+    shown = [line.rstrip() for line in done.stdout.splitlines()]
+    assert shown.count("wave.yaml:9, wave at bob") == 1
+    assert shown.count("two.intents.yaml:2, wave at bob") == 1, "once, though two of its slots differ"
+    parts = ["slots.person", "slots.who", "slots.person"]
+    assert [line for line in shown if "part" in line] == [f"  part      {part}" for part in parts]
+
+
 def test_a_line_for_each_example(in_process, folder):
     done = in_process("test", "--json", "wave.yaml", cwd=folder)
     assert done.returncode == 1
