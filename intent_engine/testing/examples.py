@@ -54,6 +54,8 @@ class Case:
     state: tuple[str, ...] = ()
     """States that the robot is in."""
     language: str | None = None
+    kinds: Mapping[str, str] = field(default_factory=dict)
+    """Label -> type of slot, as which an expected text is read; none: whichever fits what was found."""
     place: Place | None = None
     needs: tuple[str, ...] = ()
     """Names of places that an example of a grammar speaks of. In a map that has them not, it cannot be tried."""
@@ -115,7 +117,8 @@ def load_examples(path: Path, locations: Sequence[Path] = ()) -> Examples:
 
 def grammar_cases(engine: IntentEngine) -> list[Case]:
     """The examples that stand in the grammar files of an engine, included files too."""
-    cases = [case for grammar in engine.grammars for case in _examples(grammar)]
+    kinds = _kinds(engine)
+    cases = [replace(case, kinds=kinds) for grammar in engine.grammars for case in _examples(grammar)]
     unknown = [case for case in cases if case.place is not None and not set(case.needs) <= set(engine.locations or ())]
     elsewhere = {case.place.file for case in unknown if case.place is not None}
     return [replace(case, elsewhere=case.place is not None and case.place.file in elsewhere) for case in cases]
@@ -133,7 +136,7 @@ def run_case(engine: IntentEngine, case: Case) -> Outcome:
         case.text,
         case.status,
         found.intent if case.intent is None else case.intent,
-        found.slots if case.slots is None else _in_si(case.slots, found.slots),
+        found.slots if case.slots is None else _in_si(case.slots, found.slots, case.kinds),
         found.actions if case.actions is None and case.status is Status.ACCEPTED else case.actions or (),
     )
     rows = differences(expected, found)
@@ -148,18 +151,19 @@ def _of_another_map(name: str, places: Collection[str], found: Interpretation) -
     return name not in places and (found.status is Status.REJECTED or did_you_mean(name, places) is None)
 
 
-def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
-    """The expected slots, with quantities that are written with a unit as numbers; of several commands each, in which
-    what is left out is as it was found."""
+def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any], kinds: Mapping[str, str]) -> dict[str, Any]:
+    """The expected slots, with quantities that are written with a unit of their kind as numbers ("2 s" are no 2 m); of
+    several commands each, in which what is left out is as it was found."""
     values = dict(expected)
     steps, got_steps = expected.get("steps"), found.get("steps")
     if isinstance(steps, list) and isinstance(got_steps, list) and len(steps) == len(got_steps):
-        values["steps"] = [_step_in_si(step, got) for step, got in zip(steps, got_steps, strict=True)]
+        values["steps"] = [_step_in_si(step, got, kinds) for step, got in zip(steps, got_steps, strict=True)]
     for label, value in expected.items():
         got = found.get(label)
         if isinstance(value, str) and isinstance(got, (int, float)) and not isinstance(got, bool):
             words = [*words_of(value)]
-            for kind in QUANTITY_KINDS:
+            own = kinds.get(label)
+            for kind in (own, "number") if own in QUANTITY_KINDS else QUANTITY_KINDS:
                 number = quantities.evaluate(words, kind)
                 if isinstance(number, float) and (kind != "ordinal" or math.isclose(number, got)):
                     values[label] = number
@@ -168,11 +172,11 @@ def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, A
     return values
 
 
-def _step_in_si(expected: Any, found: Mapping[str, Any]) -> Any:
+def _step_in_si(expected: Any, found: Mapping[str, Any], kinds: Mapping[str, str]) -> Any:
     if not isinstance(expected, Mapping):
         return expected
     slots = expected.get("slots", found["slots"])
-    return {**found, **expected, "slots": _in_si(slots, found["slots"]) if isinstance(slots, Mapping) else slots}
+    return {**found, **expected, "slots": _in_si(slots, found["slots"], kinds) if isinstance(slots, Mapping) else slots}
 
 
 # -- grammars -------------------------------------------------------------------------------------------------
@@ -243,11 +247,11 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     if source.problems:
         raise ConfigError(source.problems)
     engine = IntentEngine.from_files(grammars, locations=maps or default_locations(grammars))
-    common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
+    kinds = _kinds(engine)
+    common = Case("", state=_texts(data.get("state", ())), language=data.get("language"), kinds=kinds)
     _check_states(source, ("state",), data.get("state", ()), engine)
     _check_language(source, engine)
     cases = tuple(_test_cases(source, engine, common))
-    kinds = _kinds(engine)
     doubts = (
         problem_at(case.place, *doubt)
         for case in cases
@@ -286,8 +290,9 @@ def _named(source: YamlSource, key: str, kind: str) -> Iterator[Path]:
         if found.is_file():
             yield found
         else:
-            hint = near_file(beside) or "the path is taken from this file's folder"
-            source.problem(at, f"there is no file {beside}", hint)
+            folder = "give the path of a file in it" if found.is_dir() else None
+            hint = folder or near_file(beside) or "the path is taken from this file's folder"
+            source.problem(at, f"{beside} is a folder" if folder else f"there is no file {beside}", hint)
 
 
 def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Iterator[Case]:

@@ -40,6 +40,40 @@ def test_of_several_commands_what_is_left_out_is_not_compared(tmp_path, steps, d
 
 
 @pytest.mark.parametrize(
+    ("value", "differs"),
+    [
+        ("2 m", []),
+        ("200 cm", []),
+        ('"two meters"', []),
+        ('"2"', []),
+        ("2.0", []),
+        ("2 s", ["slots.distance"]),
+        ("200 %", ["slots.distance"]),
+        ("2 rad", ["slots.distance"]),
+        ("3 m", ["slots.distance"]),
+    ],
+)
+def test_a_quantity_has_a_unit_of_its_kind(tmp_path, value, differs):
+    test = f"go forward two meters: {{direction: forward, distance: {value}}}"
+    assert parts(tmp_path, f"- {test}") == [differs]
+    steps = f"[{{intent: turn}}, {{slots: {{direction: forward, distance: {value}}}}}]"
+    several = ["slots.steps"] if differs else []
+    assert parts(tmp_path, f"- turn left and go forward two meters: {{steps: {steps}}}") == [several]
+
+
+@pytest.mark.parametrize(
+    ("value", "failed"), [("90 deg", False), ("1.5707963267948966 m", True), ("1.5707963267948966 s", True)]
+)
+def test_an_example_of_a_grammar_has_a_unit_of_its_kind(tmp_path, value, failed):
+    file = tmp_path / "dial.yaml"
+    examples = f"[{{dial 90 degrees: {{by: {value}}}}}]"
+    intents = f'{{dial: {{action: custom, sentences: ["dial {{by}}"], examples: {examples}}}}}'
+    file.write_text(f"slots: {{by: {{type: angle}}}}\nintents: {intents}\n")
+    loaded = load_examples(file)
+    assert [run_case(loaded.engine, case).failed for case in loaded.cases] == [failed]
+
+
+@pytest.mark.parametrize(
     ("status", "say", "differs"),
     [
         ("accepted", "turn left", ["actions"]),
@@ -74,6 +108,7 @@ def test_an_intent_that_is_not_there_is_told_wherever_it_stands(tmp_path):
         ("- {utterance: stop}", r":2:17: 'stop' is no meaning\n.*\n.*\n +write say: stop"),
         ("- {say: stop, intent: stpo}", r":2:25: there is no intent 'stpo'\n.*\n.*\n +did you mean 'stop'"),
         ("- stop\ngrammar: lampp.yaml", r":3:10: there is no file .*lampp.yaml\n.*\n.*\n +did you mean 'lamp.yaml'"),
+        ("- stop\ngrammar: ..", r":3:10: .* is a folder\n.*\n.*\n +give the path of a file in it"),
         ("- {say: [], intent: stop}", r":2:11: 'say' is empty"),
         ("- stop\nlanguage: de", r":3:11: no grammar of this file is of language 'de'\n.*\n.*\n +there is en"),
         ("- stop\nlocations: [home, attic]", r":3:19: no file attic.yaml in locations/\n.*\n.*\n +there is home"),
