@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -112,7 +113,10 @@ class LabelLine:
             return None
         audio = self.path.parent / name
         if not _is_file(audio):
-            self.wrong(f"there is no sound file {audio}", "audio", hint=_other_file(name, audio))
+            if os.path.isdir(audio):  # noqa: PTH112 - never raises, of whatever name
+                self.wrong(f"{audio} is a folder", "audio", hint="give each sound file in it a line")
+            else:
+                self.wrong(f"there is no sound file {audio}", "audio", hint=_other_file(name, audio))
             return None
         return audio
 

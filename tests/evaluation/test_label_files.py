@@ -180,6 +180,7 @@ def test_compound_commands_have_steps(engine, write):
         ('{"audio": "a.wav", "actions": [{"type": "custom", "slots": {"n": [NaN]}}]}', "'actions' holds NaN"),
         (r'{"audio": "a.wav", "text": "st\ud800op"}', r"holds half a character, '\ud800'"),
         ({"audio": "a" * 5000, "text": "stop"}, "labels.jsonl:1:2: there is no sound file"),
+        ({"audio": ".", "text": "stop"}, " is a folder\n    give each sound file in it a line"),
         ({"audio": "A.WAV", "text": "stop"}, "A.WAV\n    did you mean 'a.wav'?"),
         ({"audio": "a.flac", "text": "stop"}, "a.flac\n    did you mean 'a.wav'?"),
         ({"audio": "b\\a.wav", "text": "stop"}, "a.wav\n    write paths with /"),
