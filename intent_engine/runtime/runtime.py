@@ -26,7 +26,7 @@ from intent_engine.runtime.onset import Onset
 from intent_engine.runtime.parts import check_parts
 from intent_engine.runtime.taking_up import TakingUp
 from intent_engine.runtime.talk_key import TalkKey, same_voice
-from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Wakeable
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Wakeable, checked_frame
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer
 from intent_engine.speech.reflex import Reflex
@@ -189,7 +189,7 @@ class Runtime:
             AudioError: the source cannot be read; the robot is stopped.
             DeviceError: the device is missing; the robot is stopped.
             BaseException: whatever ``on_event`` or ``state`` raised; the robot is stopped.
-            TypeError: ``source`` is none; a path is not.
+            TypeError: ``source`` is none; a path is not. Or it gives something else than frames; the robot is stopped.
             RuntimeError: it listens already, to another source or in the listener that calls this.
         """
         if not hasattr(source, "frames"):
@@ -221,9 +221,10 @@ class Runtime:
     def _listen(self, frames: Iterator[Frame]) -> None:
         """To the end of the sound."""
         utterance: SpokenUtterance | None = None
-        for frame in frames:
+        for given in frames:
             if self._closing.is_set():
                 break
+            frame = checked_frame(given)
             self._move_clock(frame.time)
             if frame.samples.size:  # else it was woken by a decode that has ended
                 if frame.lost or frame.deaf or (frame.cut and utterance and not self._endpoint.silence):

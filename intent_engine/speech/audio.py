@@ -24,6 +24,7 @@ __all__ = [
     "Resampler",
     "Samples",
     "Wakeable",
+    "checked_frame",
     "clean",
     "in_silence",
     "to_float",
@@ -104,6 +105,26 @@ class Wakeable(Protocol):
     def wake(self) -> None:
         """Give a frame without sound as soon as there is no other. From any thread."""
         ...
+
+
+def checked_frame(given: object) -> Frame:
+    """What a source gave, which may be somebody's own.
+
+    Raises:
+        TypeError: it is no frame, or its samples are no float32.
+    """
+    if not isinstance(given, Frame):
+        what = type(given).__name__
+    elif not isinstance(given.samples, np.ndarray):
+        what = f"samples in {type(given.samples).__name__}"
+    elif given.samples.dtype != np.float32:
+        what = f"samples of {given.samples.dtype}"
+    else:
+        return given
+    raise TypeError(
+        f"a source gives Frame(samples, time), {FRAME_SAMPLES} samples of float32 at {SAMPLE_RATE} Hz, not {what}: "
+        "StreamSource(rate) makes such frames of the arrays that are pushed into it"
+    )
 
 
 def to_float(samples: npt.NDArray[Any]) -> npt.NDArray[np.floating]:

@@ -232,6 +232,26 @@ def test_a_listener_that_raises_stops_the_robot(engine, whisper, go_forward):
     assert robot.pose().x == pytest.approx(0, abs=0.05)
 
 
+@pytest.mark.parametrize(
+    ("given", "what"),
+    [
+        (np.zeros(512, np.float32), "ndarray"),
+        ((np.zeros(512, np.float32), 0.032), "tuple"),
+        (Frame(np.zeros(512, np.int16), 0.032), "samples of int16"),
+        (Frame(np.zeros(512), 0.032), "samples of float64"),
+        (Frame([0.0] * 512, 0.032), "samples in list"),  # type: ignore[arg-type]
+    ],
+)
+def test_a_source_that_gives_no_frames_stops_the_robot_and_is_told_what_to_give(engine, given, what):
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        (goal,) = executor.submit(Move(0.5, 2.0, 4.0))
+        runtime = Runtime(engine, executor, Says(), voice=Voiced())
+        with pytest.raises(TypeError, match=rf"a source gives Frame\(samples, time\), .*, not {what}: StreamSource"):
+            runtime.run(Frames([given]))
+        assert (goal.done, goal.reason, executor.idle) == (True, Reason.STOP, True)
+
+
 class Opened(Frames):
     """Frames of a device that is open as long as they are taken."""
 
