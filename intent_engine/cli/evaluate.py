@@ -268,10 +268,12 @@ def _snrs(text: str | None) -> list[float]:
 def _recognizers(
     engine: IntentEngine, models: list[str], second: str | None, language: str | None, free: bool
 ) -> Iterator[tuple[str, Recognizer]]:
-    """One at a time: a large model fills the memory."""
+    """One at a time: a large model fills the memory. That one of them is missing is told before hours of hearing."""
     from intent_engine.speech.free import free_recognizer
-    from intent_engine.speech.models import NONE, recognizer_for, second_model
+    from intent_engine.speech.models import NONE, find_model, recognizer_for, second_model
 
+    for model in models:
+        find_model(model)
     for model, name in _names(models).items():
         other = second_model(engine, model, second, language=language)
         label = name if other is None else f"{name}+{Path(other).name}"

@@ -27,6 +27,7 @@ __all__ = [
     "NONE",
     "OTHER",
     "SECOND",
+    "find_model",
     "installed_second",
     "recognizer_for",
     "second_model",
@@ -105,17 +106,26 @@ def second_model(
     if second is not None:
         if second == NONE:
             return None
-        if is_moonshine(second):
-            find_moonshine_files(second)
-        elif not is_called(second) and not on_this_machine(second):
+        if not is_moonshine(second) and not is_called(second) and not on_this_machine(second):
             raise no_such_model(second, "--second-model", (NONE,))
-        else:
-            find_weights(second)
+        find_model(second)
         return second
     if model not in FIRST:
         return None
     english = model.endswith(".en") or (language or "".join(engine.languages)) == "en"
     return installed_second(english=english)
+
+
+def find_model(model: str) -> None:
+    """See that a model is on this machine, or fetch it; it is not loaded.
+
+    Raises:
+        WeightsError: it cannot be found.
+    """
+    if is_moonshine(model):
+        find_moonshine_files(model)
+    else:
+        find_weights(model)
 
 
 def installed_second(*, english: bool = True) -> str | None:

@@ -214,6 +214,15 @@ def test_an_error_in_the_midst_loses_nothing_that_was_measured(heard_until_ctrl_
     assert done.stderr == "error: four.wav: no such file\n    record it again\n"
 
 
+@pytest.mark.parametrize("missing", ["tiny.enn", "./no_folder"])
+def test_a_model_that_is_not_there_is_told_before_another_has_heard_anything(monkeypatch, root, missing):
+    monkeypatch.chdir(root)
+    monkeypatch.setattr("intent_engine.evaluation.trial.Trial.hear", lambda *_: pytest.fail("it began to hear"))
+    done = CliRunner().invoke(app, ["evaluate", str(TEN), "-m", "tiny.en", "-m", missing, "--json"])
+    assert (done.exit_code, done.stdout) == (5, "")
+    assert missing in done.stderr
+
+
 @pytest.mark.parametrize("least", [0.9, 1.1, 58.0, 99.9])
 def test_just_so_many_per_cent_are_at_least_so_many(least):
     assert Decimal(str(least)) / 100 == Decimal(str(_share(least)))
