@@ -17,6 +17,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
+from types import FrameType
 from typing import TYPE_CHECKING, ParamSpec
 
 import typer
@@ -163,7 +164,20 @@ def _signal_main_thread(number: int) -> None:
 PATIENCE = 3.0
 """s after a Ctrl-C or SIGTERM in which another one changes nothing: what stops the robot is not to be interrupted."""
 AGAIN = 0.005
-"""s until a signal whose exception was dropped is given once more."""
+"""s until a signal whose exception was dropped, or would be, is given once more."""
+LOADING = 3.0
+"""s for which a signal waits until a module is loaded; many a library takes what is raised there for a package that is
+not installed, and goes on without it."""
+_IMPORTING = "<frozen importlib._bootstrap>"
+
+
+def _loads(frame: FrameType | None) -> bool:
+    """Whether a module is being loaded where the main thread is."""
+    while frame is not None:
+        if frame.f_code.co_filename == _IMPORTING:
+            return True
+        frame = frame.f_back
+    return False
 
 
 @contextlib.contextmanager
@@ -173,13 +187,19 @@ def _signals_raise() -> Iterator[None]:
         yield
         return
     raised_at, interrupted, dropping = -math.inf, False, False
+    waits_since = math.inf
     told_before = sys.unraisablehook
 
-    def interrupt(signum: int, frame: object) -> None:
-        nonlocal raised_at, interrupted
-        if time.monotonic() - raised_at < PATIENCE:
+    def interrupt(signum: int, frame: FrameType | None) -> None:
+        nonlocal raised_at, interrupted, waits_since
+        now = time.monotonic()
+        if now - raised_at < PATIENCE:
             return
-        raised_at, interrupted = time.monotonic(), True
+        waits_since = min(waits_since, now)
+        if now - waits_since < LOADING and _loads(frame):
+            threading.Timer(AGAIN, _signal_main_thread, [signum]).start()
+            return
+        raised_at, interrupted, waits_since = now, True, math.inf
         raise KeyboardInterrupt if signum == signal.SIGINT else Terminated
 
     def once_more(lost: UnraisableHookArgs) -> None:

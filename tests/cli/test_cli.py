@@ -260,6 +260,42 @@ def test_a_signal_in_a_destructor_is_not_lost(number, meanwhile):
     assert "Traceback" not in done.stderr
 
 
+LOADED = """
+import threading
+from intent_engine.cli.guard import robot_verb
+
+@robot_verb
+def drive():
+    import careless
+    threading.Event().wait(30)
+    print("drove on")
+
+try:
+    drive()
+except BaseException as end:
+    raise SystemExit(end.exit_code)
+"""
+
+
+@pytest.mark.parametrize(("number", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_a_signal_while_a_library_is_loaded_is_not_lost(tmp_path, number, code):
+    """One that does without what it cannot load."""
+    (tmp_path / "careless.py").write_text(
+        f"import signal\ntry:\n    signal.raise_signal(signal.{number})\nexcept BaseException:\n    pass\n"
+    )
+    path = os.pathsep.join((str(tmp_path), *sys.path))
+    done = subprocess.run(
+        [sys.executable, "-c", LOADED],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (code, ""), done.stderr
+    assert done.stderr.endswith("the robot is stopped\n")
+
+
 def test_numbers_stand_to_the_right(capsys):
     from intent_engine.cli import terminal
 
