@@ -180,6 +180,7 @@ MISTAKES: dict[str, str | bytes] = {
     # -- slots
     "a misspelt type": slot("{type: distnace}"),
     "a misspelt type in short": slot("distnace"),
+    "an action whose type is misspelt": move(action="{typ: move}"),
     "a slot that is its own values": slot("{small: [tiny, little], large: big}", "wave [{it}]"),
     "a slot of values that are like keys": slot("{plus: [plus, and], minus: [minus, less]}", "wave [{it}]"),
     "a slot without a type": slot("{max_words: 2}"),

@@ -107,9 +107,12 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     elif error.validator == "required":
         known = list(schema.get("properties", ()))
         strange = [key for key in instance if key not in known]
-        for key in wanted:
-            if key not in instance and not any(_misspelt(other, key, known) for other in strange):
+        for key in (key for key in wanted if key not in instance):
+            slip = next((other for other in strange if _misspelt(other, key, known)), None)
+            if slip is None:
                 yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key, path, instance), key=True)
+            elif schema.get("additionalProperties") is not False:  # else that it is unknown is told of anyway
+                yield _unknown_key(source, (*path, slip), instance, schema)
         if path[:1] == ("intents",) and len(path) == 2:
             broken = (*path, "action")  # the rest of it can be read
     elif error.validator == "pattern" and "array" in schema.get("type", ()):

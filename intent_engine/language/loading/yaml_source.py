@@ -376,8 +376,14 @@ _READ_OTHERWISE = re.compile(r"[-+]?0[0-7_]+|.*:.*")
 file means these; they stay the text that they are, which is no number."""
 
 
+_FLOAT_OF_JSON = re.compile(r"-?[0-9]+e[-+][0-9]+")
+"""Small and large numbers as programs write them, 1e-05: to YAML 1.1, unlike 1.2, they are words without a "."."""
+
+
 def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
     tag = node.tag.rsplit(":", 1)[-1]
+    if tag == "str" and not node.style and _FLOAT_OF_JSON.fullmatch(node.value):
+        tag = "float"
     read = _READ.get(tag)
     if read is None:
         return node.value

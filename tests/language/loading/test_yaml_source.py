@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import string
 
 import pytest
@@ -92,6 +93,11 @@ def test_what_was_written_is_kept_where_yaml_reads_something_else(text, path, ra
 )  # fmt: skip
 def test_no_number_is_read_as_octal_or_as_minutes(written, value):
     assert parsed(f"a: {written}").data == {"a": value}
+
+
+@pytest.mark.parametrize("number", [1e-05, -2.5e-07, 1e16, 0.1, -3e22])
+def test_a_number_is_read_as_json_writes_it(number):
+    assert parsed(f"a: {json.dumps(number)}\nb: '{number}'").data == {"a": number, "b": str(number)}
 
 
 def test_what_is_text_stays_text():
