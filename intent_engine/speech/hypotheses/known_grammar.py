@@ -13,7 +13,6 @@ from intent_engine.language.networks.approximate import FreeWord, UtteranceSearc
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.phrase_set import PhraseSet
-from intent_engine.language.words.thing_words import ARTICLES
 from intent_engine.language.words.verb_forms import told_forms_of
 from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.other_wordings import small_words
@@ -66,8 +65,6 @@ class KnownGrammar:
     own: frozenset[str]
     """and those in which sentences are written."""
     in_slots: frozenset[str]
-    first: frozenset[str]
-    """Words with which a sentence may begin, but for articles and numbers."""
     letters: frozenset[str]
     """Single letters in its sentences, lists and names, those of codes among them: "b" of "B3"."""
     as_written: Mapping[str, str]
@@ -107,11 +104,6 @@ class KnownGrammar:
             small=small_words(grammar.wording, grammar.language),
             own=own,
             in_slots=in_slots,
-            first=frozenset(
-                word
-                for word in matcher.strict.next_words(matcher.strict.start(), sounds=False)
-                if word not in ARTICLES and not matcher.is_number(word)
-            ),
             letters=frozenset(word for word in own | in_slots if len(word) == 1 and word.isalpha()),
             as_written=words_as_written(matcher),
             search=UtteranceSearch(matcher.likely, words),

@@ -108,14 +108,16 @@ class SaidAndHeard:
 
     def begun_otherwise(self) -> tuple[str, ...]:
         """The word with which all models heard a command of the grammar begin, where this one begins with another that
-        none heard: "set the oven" is no "shut the oven", but has not been said to the end."""
+        none heard: "set the oven" is no "shut the oven", but has not been said to the end. One of them must have heard
+        more of it than its verb: "make the rolls" may be "bake the rolls", though there is "make it hotter"."""
         lead = self._lead
         if self._free or not self.heard or lead >= len(self.words):
             return ()
-        begun = {next(iter(one[self.grammar.lead(one, self.language) :]), "") for one in self.heard}
-        word = begun.pop() if len(begun) == 1 else ""
-        unheard = not any(self.words[lead] in one for one in self.heard)
-        return (word,) if word != self.words[lead] and unheard and self.grammar.begins(word, self.language) else ()
+        heard = [one[self.grammar.lead(one, self.language) :] for one in self.heard]
+        begun = {next(iter(one), "") for one in heard}
+        if len(begun) > 1 or self.words[lead] in begun or any(self.words[lead] in one for one in heard):
+            return ()
+        return tuple(begun) if any(self.grammar.begins(one, self.language) for one in heard) else ()
 
     def letter_otherwise(self) -> tuple[str, ...]:
         """The word of the grammar that all models heard and the sentence has not, where it has a letter beside a number

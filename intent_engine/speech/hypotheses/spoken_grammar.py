@@ -17,6 +17,7 @@ from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import without_enumeration
 from intent_engine.language.wording import Wording
 from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import ARTICLES
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["SpokenGrammar"]
 
+BEGINNING = 3
+"""Words from which it is known which command was begun."""
 OPENINGS = 4
 """Beginnings of commands in which something is dictated, that are looked up,"""
 LONGEST_OPENING = 5
@@ -264,9 +267,12 @@ class SpokenGrammar:
             count += length
         return count if count < len(words) else 0
 
-    def begins(self, word: str, language: str | None = None) -> bool:
-        """Whether a sentence may begin with a word that is neither an article nor a number."""
-        return word in self._known(language).first
+    def begins(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether a sentence may begin with the first of some words, with one that is no article nor a number."""
+        matcher, first = self._known(language).matcher, words[:BEGINNING]
+        if not first or first[0] in ARTICLES or matcher.is_number(first[0]):
+            return False
+        return matcher.strict.walk(first)[1] is not None
 
     def joins(self, word: str, language: str | None = None) -> bool:
         """Whether a word alone joins commands: "and"."""
