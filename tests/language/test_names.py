@@ -268,7 +268,12 @@ def test_a_number_that_is_not_there_is_never_another(said):
     assert match.candidates
 
 
-THINGS = NameIndex([(name, name) for name in ("box", "battery", "knife", "roof", "tray", "glass", "light", "lights")])
+THINGS = NameIndex(
+    [
+        (name, name)
+        for name in ("box", "battery", "knife", "roof", "tray", "glass", "light", "lights", "tooth", "mouse", "workman")
+    ]
+)
 
 
 @pytest.mark.parametrize(
@@ -277,6 +282,9 @@ THINGS = NameIndex([(name, name) for name in ("box", "battery", "knife", "roof",
         ("boxes", "box"),
         ("the batteries", "battery"),
         ("knives", "knife"),
+        ("teeth", "tooth"),
+        ("mice", "mouse"),
+        ("the workmen", "workman"),
         ("rooves", "roof"),
         ("trays", "tray"),
         ("glasses", "glass"),

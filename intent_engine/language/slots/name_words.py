@@ -204,7 +204,7 @@ def singular(words: tuple[str, ...], endings: Sequence[tuple[str, str]] | None =
     *before, last = words
     for ending, one in thing_words("en").plurals if endings is None else endings:
         stem = last.removesuffix(ending)
-        if (stem != last or not ending) and len(stem) > 1:
+        if (stem != last or not ending) and (len(stem) > 1 or not stem) and stem + one:
             yield (*before, stem + one)
 
 

@@ -29,6 +29,8 @@ LOCKED = {
     "would be nice if you could lock drawer 3": [3],
     "it would be nice if you lock drawer 3": [3],
     "let's have you lock drawer 3": [3],
+    "would it be possible to lock drawer 3?": [3],
+    "would it be possible for you to lock drawer 3": [3],
     "I'd appreciate it if you could lock drawer 3 and lock drawer 4": [3, 4],
 }
 
