@@ -111,7 +111,7 @@ class SaidAndHeard:
         none heard: "set the oven" is no "shut the oven", but has not been said to the end. One of them must have heard
         more of it than its verb: "make the rolls" may be "bake the rolls", though there is "make it hotter"."""
         lead = self._lead
-        if self._free or not self.heard or lead >= len(self.words):
+        if self._free or not self.heard or lead + 1 >= len(self.words):  # of single words all others are weighed anyway
             return ()
         heard = [one[self.grammar.lead(one, self.language) :] for one in self.heard]
         begun = {next(iter(one), "") for one in heard}

@@ -61,6 +61,7 @@ def test_a_word_that_all_heard_is_no_letter(tmp_path, sentence, heard, otherwise
         ("shut the oven", ["set"] * 2, ("set",)),
         ("the oven shut", ["the oven set"] * 2, ()),
         ("shut the oven", ["the oven"] * 2, ()),
+        ("halt", ["set"] * 2, ()),  # a word alone is weighed beside all others
         ("two ovens", ["three ovens"] * 2, ()),  # numbers are weighed apart
         ("stop", ["set"] * 2, ()),  # a stop waits for nothing
         ("shut the oven", [], ()),
@@ -72,7 +73,7 @@ def test_a_command_that_all_heard_begin_is_no_other(tmp_path, sentence, heard, o
         "slots: {n: number}\n"
         "intents:\n"
         "  heat: {action: custom, sentences: ['set the oven to {n} degrees', '{n} ovens']}\n"
-        "  door: {action: custom, sentences: ['shut the oven', 'the oven shut']}\n"
+        "  door: {action: custom, sentences: ['shut the oven', 'the oven shut', 'halt']}\n"
     )
     grammar = SpokenGrammar(IntentEngine.from_files(file))
     assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).begun_otherwise() == otherwise
