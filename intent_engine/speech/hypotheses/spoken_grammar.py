@@ -268,11 +268,11 @@ class SpokenGrammar:
         return count if count < len(words) else 0
 
     def begins(self, words: Sequence[str], language: str | None = None) -> bool:
-        """Whether a sentence may begin with the first of some words, with one that is no article nor a number."""
+        """Whether a sentence begins with the first of some words: none of a free slot, and no article or number first."""
         matcher, first = self._known(language).matcher, words[:BEGINNING]
-        if not first or first[0] in ARTICLES or matcher.is_number(first[0]):
-            return False
-        return matcher.strict.walk(first)[1] is not None
+        states = [matcher.strict.walk(first[:place])[1] for place in range(len(first))]
+        own = [state and word in matcher.strict.next_words(state) for word, state in zip(first, states, strict=True)]
+        return bool(first) and all(own) and first[0] not in ARTICLES and not matcher.is_number(first[0])
 
     def joins(self, word: str, language: str | None = None) -> bool:
         """Whether a word alone joins commands: "and"."""

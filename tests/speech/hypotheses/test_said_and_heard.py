@@ -80,6 +80,18 @@ def test_a_command_that_all_heard_begin_is_no_other(tmp_path, sentence, heard, o
 
 
 @pytest.mark.parametrize(
+    ("sentence", "heard", "otherwise"),
+    [
+        ("lead me back to entrance", "leave me back to entrance", ()),  # "me back" would be a thing
+        ("lead the cup", "leave the cup", ()),  # so may this, of which nothing tells
+        ("go to the kitchen", "drive to the kitten", ("drive",)),
+    ],
+)
+def test_what_a_free_slot_would_take_begins_no_command(grammar, sentence, heard, otherwise):
+    assert SaidAndHeard(grammar, sentence.split(), [heard.split()] * 2).begun_otherwise() == otherwise
+
+
+@pytest.mark.parametrize(
     ("heard", "unheard"),
     [
         (["and two grams of salt"] * 2, ()),
