@@ -268,7 +268,7 @@ class SpokenGrammar:
         return count if count < len(words) else 0
 
     def begins(self, words: Sequence[str], language: str | None = None) -> bool:
-        """Whether a sentence begins with the first of some words: none of a free slot, and no article or number first."""
+        """Whether a sentence begins with the first of some words: no free ones, and no article or number at first."""
         matcher, first = self._known(language).matcher, words[:BEGINNING]
         states = [matcher.strict.walk(first[:place])[1] for place in range(len(first))]
         own = [state and word in matcher.strict.next_words(state) for word, state in zip(first, states, strict=True)]
