@@ -10,8 +10,8 @@ from functools import cached_property
 from itertools import pairwise, permutations
 from typing import TypeAlias
 
-from intent_engine.language import quantities
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
@@ -130,15 +130,12 @@ class Spacing:
     def _parted(self, word: str, after: list[str]) -> tuple[str, str] | None:
         """The two words that a word is in the grammar."""
         if word not in self._words and word not in self._closed and len(word) <= self._longest:
-            for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
+            for place in range(1, len(word) - LEAST_LETTERS + 1):
                 first, second = word[:place], word[place:]
+                if place < LEAST_LETTERS and (len(second) < LEAST_BEHIND_A_LETTER or first in self._articles):
+                    continue
                 if self._closed.isdisjoint((first, second)) and self.follow(first, second):
                     return first, second
-            first, second = word[:1], word[1:]
-            small = first in self._articles or not self._closed.isdisjoint((first, second))
-            behind = len(second) >= LEAST_BEHIND_A_LETTER and not small
-            if behind and first in self._letters and self.follow(first, second):
-                return first, second
         if self._grammar.language == "en":
             for first, second in apart(word):
                 if self.follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
@@ -150,7 +147,7 @@ class Spacing:
         word = words[place]
         if not LEAST_LETTERS <= len(word) <= MOST_SPELLED or word in self._words or not self._letters.issuperset(word):
             return None
-        if word in self._closed and not (place and self._is_number(words[place - 1])):
+        if word in self._closed and not (place and is_number(words[place - 1], self._grammar.language)):
             return None
         return tuple(word) if all(self.follow(one, other) for one, other in pairwise(word)) else None
 
@@ -196,9 +193,6 @@ class Spacing:
     def _things(self) -> _Words:
         """The words that free slots list: as likely names, and not as sentences to be parted into."""
         return frozenset(word for slot in self._grammar.slots.values() for word in slot.known if word.isalpha())
-
-    def _is_number(self, word: str) -> bool:
-        return quantities.is_numeral(word) or quantities.is_number_word(word, self._grammar.language)
 
     @cached_property
     def _letters(self) -> _Words:

@@ -115,7 +115,7 @@ class SaidAndHeard:
             return ()
         heard = [one[self.grammar.lead(one, self.language) :] for one in self.heard]
         begun = {next(iter(one), "") for one in heard}
-        if len(begun) > 1 or self.words[lead] in begun or any(self.words[lead] in one for one in heard):
+        if len(begun) > 1 or any(self.words[lead] in one for one in heard):
             return ()
         return tuple(begun) if any(self.grammar.begins(one, self.language) for one in heard) else ()
 

@@ -65,10 +65,5 @@ class SaidWithMore:
 
 def _in_order(words: Sequence[str], first: Sequence[str], second: Sequence[str]) -> bool:
     """Whether some words stand among others, and some more behind them."""
-    at = _at(words, first, 0)
-    return at is not None and _at(words, second, at + len(first)) is not None
-
-
-def _at(words: Sequence[str], some: Sequence[str], start: int) -> int | None:
-    places = range(start, len(words) - len(some) + 1)
-    return next((at for at in places if list(words[at : at + len(some)]) == list(some)), None)
+    behind = f" {' '.join(words)} ".partition(f" {' '.join(first)} ")[2]
+    return f" {' '.join(second)} " in f" {behind}"
