@@ -12,7 +12,37 @@ from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
-__all__ = ["PersonsNamed"]
+__all__ = ["Persons", "PersonsNamed"]
+
+
+class Persons:
+    """Finds "him" and "her".
+
+    Args:
+        grammar: of their language.
+    """
+
+    def __init__(self, grammar: Grammar) -> None:
+        known = thing_words(grammar.language)
+        self.words = grammar.wording.of_persons
+        self._language = grammar.language
+        self._is_manner = known.is_manner
+        self._follows = known.joining | known.within | known.alone | known.where | known.articles
+        self._follows |= {words[0] for words in grammar.operators.sequence}
+
+    def places(self, core: Utterance) -> list[int]:
+        """Where one of them stands, again and again. Empty: none does, or more than one, or one is whose a noun is:
+        "follow *her car*"."""
+        places = [at for at, word in enumerate(core.words) if word in self.words]
+        alike = len({core.words[at] for at in places}) == 1
+        return places if alike and all(self._ends(core, at) for at in places) else []
+
+    def _ends(self, core: Utterance, at: int) -> bool:
+        """Whether no noun stands behind such a word, to which it would belong."""
+        if at + 1 == len(core) or core.breaks[at + 1]:
+            return True
+        after = core.words[at + 1]
+        return after in self._follows or is_number(after, self._language) or self._is_manner(after)
 
 
 class PersonsNamed:
@@ -25,13 +55,9 @@ class PersonsNamed:
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
         known = thing_words(grammar.language)
-        self._persons = grammar.wording.of_persons
+        self._persons = Persons(grammar)
         self._sequence = sequence
-        self._language = grammar.language
         self._definite, self._plurals = known.definite, known.plurals
-        self._is_manner = known.is_manner
-        self._follows = known.joining | known.within | known.alone | known.where | known.articles
-        self._follows |= {words[0] for words in grammar.operators.sequence}
 
     def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
         """The meaning of an utterance with that name; None: there is none, or more than one that fits.
@@ -40,8 +66,7 @@ class PersonsNamed:
             core: what was said.
             as_said: what an utterance means that takes its place; None: it is no command.
         """
-        places = [at for at, word in enumerate(core.words) if word in self._persons]
-        if not places or len({core.words[at] for at in places}) > 1 or not all(self._ends(core, at) for at in places):
+        if not (places := self._persons.places(core)):
             return None
         ends = (end for end in range(places[0] - 1, 0, -1) if core.breaks[end] or self._sequence.at(core.words, end))
         before = next(filter(None, (as_said(core.part(0, end)) for end in ends)), None)
@@ -56,13 +81,6 @@ class PersonsNamed:
     @property
     def _articles(self) -> list[tuple[str, ...]]:
         return [(), *((word,) for word in sorted(self._definite))]
-
-    def _ends(self, core: Utterance, at: int) -> bool:
-        """Whether no noun stands behind such a word, to which it would belong: "follow *her car*"."""
-        if at + 1 == len(core) or core.breaks[at + 1]:
-            return True
-        after = core.words[at + 1]
-        return after in self._follows or is_number(after, self._language) or self._is_manner(after)
 
     def _names(self, before: Understood) -> Iterator[tuple[object, Sequence[str]]]:
         """The names of lists in commands, each with what it stands for. More than one thing is neither of both."""

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.persons_named import Persons
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import listed_words
 from intent_engine.language.words.contractions import OTHER_WORDS, apart, shortened_in
@@ -54,7 +55,9 @@ class Reasons:
         known = thing_words(grammar.language)
         self._articles = known.articles
         pronouns = (words for words in grammar.operators.pronoun if self._articles.isdisjoint(words))
-        self._pronouns = PhraseSet(() if wording.taken_up else pronouns)
+        self._persons = Persons(grammar)
+        persons = ((word,) for word in self._persons.words)
+        self._pronouns = PhraseSet(() if wording.taken_up else (*pronouns, *persons))
         self._taken_up = wording.taken_up
         self._several = wording.several
         self._for_a_thing = {words[0] for words in grammar.operators.pronoun if len(words) == 1} - self._articles
@@ -97,6 +100,8 @@ class Reasons:
         begin = self._thinks.at(told, 0)
         how = self._behind_a_thing(told, begin, verbs)
         start, length = self._pronouns.find(command.words) or (0, 0)
+        if command.words[start] in self._persons.words and not self._persons.places(command):
+            return None  # "the nurse is tired, take her bag"
         if not how or not self._tells_no_more(told[how:], verbs) or self._turns(told):
             return None
         again = self._pronouns.find(command.words, start + length) is not None

@@ -32,6 +32,8 @@ LOCKED = {
     "would it be possible to lock drawer 3?": [3],
     "would it be possible for you to lock drawer 3": [3],
     "I'd appreciate it if you could lock drawer 3 and lock drawer 4": [3, 4],
+    "I'd appreciate it if you'd lock drawer 3": [3],
+    "I would be grateful if you would lock drawer 3": [3],
 }
 
 PEOPLE = """

@@ -17,6 +17,7 @@ slots:
   level: percent
   time: duration
   pump: boolean
+  stall: {type: number, min: 1, max: 9}
 intents:
   on: {action: custom, sentences: ["turn on [the] {lamp}"]}
   off: {action: custom, sentences: ["turn [the] {lamp} off [for {time}]"]}
@@ -27,6 +28,7 @@ intents:
   write: {action: custom, sentences: ["write down the time"]}
   roll: {action: custom, sentences: ["roll the ramp down"]}
   pump: {action: custom, sentences: ["switch {pump} the pump"]}
+  hose: {action: custom, sentences: ["(scrape|hose down) stall {stall}"]}
   wave: {action: custom, sentences: [wave]}
 """
 
@@ -50,6 +52,7 @@ def house(engine_of) -> IntentEngine:
         ("drop the parcel off at door 4", "drop off the parcel at door 4"),
         ("write the time down", "write down the time"),
         ("switch the pump off", "switch off the pump"),
+        ("hose stall 4 down, would you", "hose down stall 4"),
         ("turn the lamp on and turn off the fan, then wave", "turn on the lamp and turn the fan off, then wave"),
         ("wave and turn the lamp on as well", "wave and turn on the lamp"),
         ("turn the lamp on, no, the fan", "turn on the fan"),
@@ -87,6 +90,7 @@ def test_it_is_the_same_command(house: IntentEngine, said: str, plain: str) -> N
         "pick your brother up from school",
         "put down the road",  # free words may say where
         "put down the phone and wave at me",
+        "scrape stall 4 down",
         "roll down the ramp",  # the robot itself would
         "let me turn the lamp on",
         "the pump switches off",

@@ -49,6 +49,10 @@ def studio(engine_of) -> IntentEngine:
          "fetch the ball, focus on the actor and give the ball to the actor"),
         ("focus on the nurse and go within two meters of her",
          "focus on the nurse and go within two meters of the nurse"),
+        # Or of whom a reason is told.
+        ("the nurse is here, follow her", "follow the nurse"),
+        ("Anna is hungry, give her the ball", "give Anna the ball"),
+        ("the actor is leaving, follow him for ten seconds", "follow the actor for ten seconds"),
     ],
 )  # fmt: skip
 def test_it_is_the_one_who_was_named(studio, said: str, in_full: str) -> None:
@@ -70,8 +74,12 @@ def test_it_is_the_one_who_was_named(studio, said: str, in_full: str) -> None:
         "focus on the nurse and follow her dog",
         "focus on the nurse and paint her ball",
         "focus on the nurse and paint her rope",
+        "the nurse is tired, paint her rope",
+        "the nurse is tired, follow her dog",
         # No command.
         "don't focus on the actor and follow him",
+        "the nurse is here, don't follow her",
+        "the nurse is with the actor, follow her",
         "focus on the actor and don't follow him",
         "the actor came and I followed him",
         "if you see the actor, follow him",
