@@ -27,6 +27,7 @@ MAX_PARTS = 8
 MOST_ENDS = 3
 """Places where a part may end, nearest first, that are tried to tell which part of an utterance is no command: each
 costs a reading, and to tell why need not be exact."""
+_BOTH = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,7 @@ class Compounds:
         self._doubts = JoinedDoubts(commands)
         self._at_first = commands.matcher.grammar.wording.at_first
         self._besides = commands.matcher.grammar.wording.besides
+        self._both_of = commands.matcher.grammar.wording.both_of
 
     @step(Kind.COMMAND)
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
@@ -122,7 +124,15 @@ class Compounds:
         whole = whole or self._commands_from(way, begin, 1, "")
         if not whole and self.at_once.verb_may_be_shared(core):
             whole = self._commands_from(replace(way, shared=True, tried={}), begin, 1, "")
+        if not whole and (both := self._both_of.find(core.words, 1)) is not None:
+            whole = self._both(core.cut(both[0], sum(both)), state, exactly)
         return whole or None
+
+    def _both(self, core: Utterance, state: Collection[str], exactly: bool) -> list[Clause] | None:
+        """The two commands of an utterance that says "both", without that word, where the second goes on from the
+        first: "pick up both the cup and the plate"; None: there are more, or fewer."""
+        found = self._commands_in(core, state, exactly) or []
+        return found if len(found) == _BOTH and _goes_on(found[-1]) else None
 
     def _commands_from(
         self, way: _Way, start: int, depth: int, before: str, joined: bool = True

@@ -54,7 +54,8 @@ class FreeText:
         self._going_on = words.joining - words.may_begin
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
-        both = {phrase[0] for phrase in grammar.wording.both_of}  # "both the cup and the plate" are two things
+        # "Both the cup and the plate" are two things, and so are "the cup and the plate both".
+        self._both = both = {phrase[0] for phrase in grammar.wording.both_of}
         self._begin_none = self.no_beginning | both
         self._whither = words.joining.intersection(words.contracted) | both
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
@@ -190,7 +191,8 @@ class FreeText:
         allowed = slot.allow
         if never := self._words.never.intersection(said) - allowed - slot.known - self._words.either:
             return never
-        behind = self._once_more.ends(said) or int(said[-1] in self._parted and not _meant(slot, said[-1]))
+        no_end = self._parted | self._both
+        behind = self._once_more.ends(said) or int(said[-1] in no_end and not _meant(slot, said[-1]))
         if 0 < behind < len(said):
             return frozenset((" ".join(said[-behind:]),))
         bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some

@@ -54,6 +54,14 @@ ENGLISH = {
     "go to the kitchen and then to the bedroom, no, the cup": "rejected",
     # It names as much as what it goes on from.
     "bring me the cup and the plate": "bring, bring",
+    # Of both, and of no more.
+    "pick up both the cup and the plate": "pick cup, pick plate",
+    "pick up the cup and the plate both": "pick cup, pick plate",
+    "bring me both the cup and the plate": "bring, bring",
+    "take both the cup and go home": "rejected",
+    "take both the cup, the plate and the fork": "rejected",
+    "take the cup both": "rejected",
+    "don't take both the cup and the plate": "rejected",
     "bring the cup to the office and the plate to the kitchen": "bring, bring",
     "bring the cup to the office and the plate": "rejected",
     "bring me the cup and the plate from the kitchen": "rejected",
